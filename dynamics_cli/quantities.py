@@ -93,6 +93,11 @@ class Kind:
             return f"less than {self.below:g}"
         return None
 
+    @property
+    def one(self) -> str:
+        """Its name with the article: a force, an angle."""
+        return f"a{'n' * (self.name[:1] in ('a', 'e', 'i', 'o', 'u'))} {self.name}"
+
     def __or__(self, other: object) -> "Alternatives":
         return Alternatives(self, other)
 

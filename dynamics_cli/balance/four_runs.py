@@ -129,9 +129,9 @@ def _amplitudes(*readings: "Any") -> "tuple[Any, list[Any]]":
         parts = value if isinstance(value, tuple | list) else (value,)
         require(len(parts) == 1, "the {name} reading has a phase", code="phase", name=name,
                 hint="with phases one trial run is enough: dynamics balance trial")  # fmt: skip
-        require(kind.unit == first.unit, "the {name} reading is a {other}, the initial one a {one}",
-                code="mixed-kinds", hint="give all readings in one kind of unit", name=name, one=first.name,
-                other=kind.name)  # fmt: skip
+        require(kind.unit == first.unit, "the {name} reading is {other}, the initial one {one}",
+                code="mixed-kinds", hint="give all readings in one kind of unit", name=name, one=first.one,
+                other=kind.one)  # fmt: skip
         require(plain(parts[0]) >= 0.0, "the {name} reading is below zero", code="negative", name=name,
                 hint="an amplitude has no sign")  # fmt: skip
         sizes.append(parts[0])

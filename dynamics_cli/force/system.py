@@ -49,10 +49,10 @@ def vector(given: "Any", kind: "Any", what: str, example: str) -> "Ratios":
     if isinstance(given, Quantity):
         require(
             given.kind.unit == kind.unit,
-            "{what} is a {name}; wanted a {kind}",
+            "{what} is {name}; wanted {kind}",
             what=what,
-            name=given.kind.name or "number",
-            kind=kind.name or "direction without a unit",
+            name=given.kind.one if given.kind.name else "a number",
+            kind=kind.one if kind.name else "a direction without a unit",
             code="kind",
             hint=f"write {example}",
         )

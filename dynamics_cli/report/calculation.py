@@ -156,6 +156,10 @@ class Calculation:
                 continue
             entries.append((self.named(words(address)), self.input_text(address, node)))
         for axis in (self.document or {}).get("inputs", {}).get(SWEEP, ()):
+            if "values" in axis:
+                listed = ", ".join(number(value, 17) for value in axis["values"])
+                entries.append((words(axis["parameter"]), f"{listed} {axis.get('unit', '')}".rstrip()))
+                continue
             ends = [quantity(axis[end]["value"], axis[end].get("unit", ""), 17) for end in ("from", "to")]
             entries.append((words(axis["parameter"]), f"{ends[0]} to {ends[1]}, {axis['count']} values"))
         return entries

@@ -122,25 +122,31 @@ def _sweep(task: "Task", document: "Document", gathered: Gathered) -> "tuple[Doc
     table = _part(document, "results", "sweep")
     try:
         axes = [axis["parameter"] for axis in swept]
-        ends = [
-            f"{axis['parameter']}={_written(axis['from'])}:{_written(axis['to'])}:{axis['count']}" for axis in swept
-        ]
+        points = [f"{axis['parameter']}={_points(axis)}" for axis in swept]
     except (LookupError, TypeError):
         raise UsageError("its sweep cannot be read") from None
     options: dict[str, Any] = {
-        "sweep": ends,
+        "sweep": points,
         "to": [
             f"{name}={cell['unit']}"
             for name, cell in table.items()
             if isinstance(cell, dict) and name not in axes and cell.get("unit") and name.rpartition(".")[0] not in table
         ],
     }
-    options |= _model(task, document)
+    options |= {**_model(task, document), **_limits(document)}
     uncertainty = _part(document, "numerics", "uncertainty")
     if uncertainty:
         options |= {"seed": str(uncertainty.get("seed", 1)), "coverage": repr(uncertainty.get("coverage"))}
     answer, _ = sweep(task, gathered, Settings(options, {}))
     return answer, of_sweep(answer, task)
+
+
+def _points(axis: "Document") -> str:
+    """The points of a sweep as they were given."""
+    if "values" not in axis:
+        return f"{_written(axis['from'])}:{_written(axis['to'])}:{axis['count']}"
+    unit = f" {axis['unit']}" if axis.get("unit") else ""
+    return ", ".join(f"{value}{unit}" for value in axis["values"])
 
 
 def _part(node: "Any", *keys: str) -> "Document":
@@ -172,13 +178,16 @@ def _settings(task: "Task", document: "Document") -> "dict[str, Any]":
         options["correlate"] = [f"{pair}={rho!r}" for pair, rho in _part(uncertainty, "correlations").items()]
         coverage = _coverage(document["results"])
         options |= {"coverage": repr(coverage)} if coverage is not None else {}
-    limits = document.get("limits")
-    if limits:
-        try:
-            options["limit"] = [f"{item['result']}={_written(item['limit'])}" for item in limits]
-        except (LookupError, TypeError):
-            raise UsageError("its limits cannot be read") from None
-    return options
+    return {**options, **_limits(document)}
+
+
+def _limits(document: "Document") -> "dict[str, list[str]]":
+    """The option that its limits were given by."""
+    try:
+        limits = [f"{item['result']}={_written(item['limit'])}" for item in document.get("limits") or ()]
+    except (LookupError, TypeError):
+        raise UsageError("its limits cannot be read") from None
+    return {"limit": limits} if limits else {}
 
 
 def _method(uncertainty: "Document") -> "dict[str, str]":

@@ -73,13 +73,13 @@ def vectors(raw: "Sequence[Any]", names: "Sequence[str]" = ()) -> "list[Vector]"
 def require_same_kind(several: "Sequence[Vector]", context: str) -> None:
     """Refuse a sum of unlike kinds."""
     for index, other in enumerate(several[1:], 2):
-        words = f"{context}: vector 1 is a {{first}}, vector {index} a {{other}}"
+        words = f"{context}: vector 1 is {{first}}, vector {index} {{other}}"
         require_one_kind(several[0].kind, other.kind, words, "give vectors of one kind, with their units")
 
 
 def require_one_kind(first: "Any", other: "Any", message: str, hint: str) -> None:
     """Refuse two kinds where one is wanted; the message names them."""
-    require(first.unit == other.unit, message, first=first.name, other=other.name, code="mixed-kinds", hint=hint)
+    require(first.unit == other.unit, message, first=first.one, other=other.one, code="mixed-kinds", hint=hint)
 
 
 def require_direction(vector: Vector, name: str) -> None:

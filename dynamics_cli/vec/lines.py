@@ -117,7 +117,7 @@ def lines(*, first: Item, second: Item) -> Lines:
     3.0
     """
     left, right = _Read(first, "first"), _Read(second, "second")
-    message = "the points are of different kinds: a {first} and a {other}"
+    message = "the points are of different kinds: {first} and {other}"
     kinds.require_one_kind(left.kind, right.kind, message, "give both points in units of length, or both without units")
     order = ("point", "line", "plane")
     swapped = order.index(left.shape) > order.index(right.shape)

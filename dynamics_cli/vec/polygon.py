@@ -81,7 +81,7 @@ def polygon(
     if sizes:
         sized = getattr(magnitudes, "kind", kinds.NUMBER)
         kind = sized if kind is None else kind
-        message = "vectors of different kinds cannot be added: a {first} and a {other}"
+        message = "vectors of different kinds cannot be added: {first} and {other}"
         kinds.require_one_kind(kind, sized, message, "give all vectors and magnitudes in one kind")
     kind = kind or kinds.NUMBER
     if len(sizes) == 2:

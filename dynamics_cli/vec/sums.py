@@ -157,7 +157,7 @@ def _of_magnitudes(raw: "tuple[Any, ...]", between: float) -> Resultant:
     require(plain(a) >= 0.0 and plain(b) >= 0.0, "a magnitude is below zero", code="negative", hint="reverse it")
     kind = getattr(raw[0], "kind", kinds.NUMBER)
     other = getattr(raw[1], "kind", kinds.NUMBER)
-    message = "vectors of unlike kinds have no sum: a {first} and a {other}"
+    message = "vectors of unlike kinds have no sum: {first} and {other}"
     kinds.require_one_kind(kind, other, message, "give two magnitudes of one kind")
     cosine, sine = turned(between)
     half, _ = turned(0.5 * between)

@@ -164,16 +164,14 @@ def test_wrong_sweeps(axis: str, code: str | None) -> None:
 @pytest.mark.parametrize(
     ("axis", "remedy"),
     [
-        ("distance=20:100:20ft", 'in steps of 20ft: --sweep "distance=20:100 ft:5"'),
-        ("distance=20 ft:61:3 in", 'in steps of 3 in: --sweep "distance=20 ft:61 ft:165"'),
-        ("friction=0.3:0.9:0.1", 'in steps of 0.1: --sweep "friction=0.3:0.9:7"'),
-        ("friction=0.3:0.9:0.7", "for example"),
-        ("friction=0.3:0.9:-0.1", "for example"),
+        ("distance=20 m:21 m:1", 'in steps of 1: --sweep "distance=20 m:21 m:2"'),
+        ("friction=0.3:0.9:0.7", "from 0.3 to 0.9 is not a whole number of steps of 0.7"),
+        ("friction=0.3:0.9:-0.1", "from 0.3 to 0.9"),
         ("friction=0.3:0.9:0", "for example"),
-        ("distance=20 ft:60:5 kg", "for example"),
+        ("distance=20 ft:60:5 kg", "from 20 ft to 60"),
     ],
 )
-def test_a_step_in_place_of_a_count_is_answered_by_the_count(axis: str, remedy: str) -> None:
+def test_a_step_that_does_not_reach_the_end_is_refused(axis: str, remedy: str) -> None:
     with pytest.raises(UsageError) as caught:
         sweep(PROBE, [axis])
     assert str(caught.value.hint).startswith(remedy)
@@ -299,3 +297,32 @@ def test_an_uncertain_sweep_shows_the_interval_of_the_headline_first() -> None:
         "0.5", *(f"{table[name]['value'][0]:.6g}" for name in ("speed", "speed.low", "speed.high"))
     ]  # fmt: skip
     assert units.split()[:3] == ["km/h"] * 3
+
+
+@pytest.mark.parametrize(
+    ("text", "unit", "values"),
+    [
+        ("distance=20, 40,60 ft", "ft", [20.0, 40.0, 60.0]),
+        ("distance=20 m, 100 ft", "m", [20.0, 30.48]),
+        ("distance=20:60:20 ft", "ft", [20.0, 40.0, 60.0]),
+        ("distance=1 m:3 m:50 cm", "m", [1.0, 1.5, 2.0, 2.5, 3.0]),
+        ("distance=3:1:-1 m", "m", [3.0, 2.0, 1.0]),
+        ("distance=20 ft:21:3 in", "ft", [20.0, 20.25, 20.5, 20.75, 21.0]),
+        ("friction=0.2:0.4:0.1", "", [0.2, 0.3, 0.4]),
+    ],
+)
+def test_points_by_list_or_step(text: str, unit: str, values: list[float]) -> None:
+    more = {} if text.startswith("distance") else {"distance": "1 m"}
+    document, failed = sweep(PROBE, [text], **more)
+    column = document["results"]["sweep"][text.partition("=")[0]]
+    assert (column.get("unit", ""), column["value"], failed) == (unit, values, False)
+
+
+def test_points_that_are_words() -> None:
+    document, _ = sweep(PROBE, ["surface=dry, wet", "distance=1,2 m"])
+    table = document["results"]["sweep"]
+    assert table["surface"]["value"] == ["dry", "dry", "wet", "wet"]
+    assert table["results.surface"]["value"] == table["surface"]["value"]
+    assert document["inputs"]["sweep"][0] == {"parameter": "surface", "values": ["dry", "wet"], "count": 2}
+    with pytest.raises(UsageError, match="'damp'"):
+        sweep(PROBE, ["surface=dry,damp"], distance="1 m")

@@ -100,3 +100,16 @@ def test_names_with_braces_are_written_as_they_are() -> None:
 def test_an_angle_does_not_take_the_unit_of_a_length() -> None:
     error = run("coords", "3", "30", "2 m", "--from", "cyl", "--into", "xyz", "--json").error
     assert error["message"] == "theta is an angle and has no unit"
+
+
+@pytest.mark.parametrize(
+    ("text", "why"), [("80 % kg", "a percentage"), ("2 kg %", "a percentage"), ("5 m, 6 in", "one value or two")]
+)
+def test_a_share_of_a_unit_and_parts_that_do_not_divide_are_refused(text: str, why: str) -> None:
+    outcome = run("convert", text, "m" if "m," in text else "kg")
+    assert (outcome.status, why in outcome.err) == (2, True)
+
+
+def test_parts_after_a_comma_and_percent_per_time_are_read() -> None:
+    for text, unit, value in (("5 ft, 6 in", "in", 66.0), ("2 h, 30 min", "min", 150.0), ("5 %/s", "1/s", 0.05)):
+        assert answer("convert", text, unit)["results"]["value"]["value"] == value

@@ -1,5 +1,6 @@
 """Every skid task takes every one of its real inputs uncertain, in each documented example."""
 
+import json
 import math
 import re
 import shlex
@@ -7,10 +8,16 @@ from typing import Any
 
 import pytest
 from harness import answer, run
+from row_helpers import run as rows
 
 from dynamics_cli import cli
+from dynamics_cli.core.answering.task import Family, Model, Task
 from dynamics_cli.core.uncertainty.model import _FUNCTIONS, TaskModel
+from dynamics_cli.numerics.elementary import sqrt
+from dynamics_cli.numerics.number import single
 from dynamics_cli.numerics.tracked import _RULES
+from dynamics_cli.quantities import Ratio
+from dynamics_cli.records import record
 
 # How long two parties went before does not move where the sight opens.
 IDLE = {"sight first-duration", "sight second-duration"}
@@ -145,3 +152,26 @@ def test_samples_of_a_formula_that_branches_go_side_by_side(monkeypatch: pytest.
     assert outcome.status == 0
     # of a million cases those that are refused, and the few at the edges of what is admissible
     assert sum(alone) < 10_000
+
+
+@record
+class Halves:
+    half: Ratio
+    twice: Ratio | None
+    root: Ratio | None
+
+
+def halved(*, a: Ratio) -> Halves:
+    """Twice the number for a single one only; the root of those above two."""
+    return Halves(a / 2.0, 2.0 * a if single(a) else None, sqrt(a) if a > 2.0 else None)
+
+
+def test_a_result_that_physics_gives_to_single_cases_only_is_spread_as_well() -> None:
+    task = Task("halved", "A half.", Model("all", "test_uncertain_tasks:halved", source="none"))
+    Family("test", "Tests.", task)
+    status, out, _ = rows(task, "a\n3 ± 0.1\n".encode(), format="ndjson")
+    results = json.loads(out)["results"]
+    assert status == 0
+    assert results["twice"]["std"] == pytest.approx(0.2, rel=1e-3)
+    assert results["half"]["std"] == pytest.approx(0.05, rel=1e-3)
+    assert results["root"]["std"] == pytest.approx(0.1 / (2.0 * math.sqrt(3.0)), rel=1e-2)

@@ -3,6 +3,7 @@
 import math
 from typing import Any
 
+import harness
 import pytest
 from harness import answer, run
 from hypothesis import given
@@ -409,3 +410,16 @@ def test_a_size_that_makes_it_another_shape(call: str, hint: str) -> None:
 def test_the_mass_centre_by_other_names() -> None:
     call = ("inertia", "shape", "shaft", "--diameter", "40 mm", "--length", "1 m", "--mass", "2 kg", "--about")
     assert run(*call, "centre of mass", "-q").out == run(*call, "centroid", "-q").out
+
+
+@pytest.mark.parametrize(
+    ("words", "formula", "with_numbers"),
+    [
+        ("cylinder --mass 2kg --radius 3cm --length 10cm", "Izz = m·R²/2, Ixx = Iyy = m·(3R² + L²)/12",
+         "Izz = (2 kg)·(3 cm)²/2, Ixx = Iyy = (2 kg)·(3(3 cm)² + (10 cm)²)/12"),
+        ("disc --mass 2kg --diameter 6cm", "Ixx = Iyy = m·R²/4, Izz = m·R²/2", None),
+    ],
+)  # fmt: skip
+def test_the_formula_explained_is_that_of_the_shape(words: str, formula: str, with_numbers: str | None) -> None:
+    explanation = harness.answer("inertia", "shape", *words.split(), "--explain")["explanation"]
+    assert (explanation["formula"], explanation.get("with_numbers")) == (formula, with_numbers)

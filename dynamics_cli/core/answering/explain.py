@@ -1,5 +1,6 @@
 """`--explain`: the formula with symbols and with numbers, the source, the assumptions, the model and why."""
 
+from dynamics_cli.core.answering.task import load
 from dynamics_cli.core.documents import flatten, is_table, quantity
 
 TYPE_CHECKING = False
@@ -8,7 +9,7 @@ if TYPE_CHECKING:
     from typing import Any
 
     from dynamics_cli.core.answering.models import Answer
-    from dynamics_cli.core.answering.task import Task
+    from dynamics_cli.core.answering.task import Model, Task
     from dynamics_cli.quantities import Kind
 
 # A sensitivity this small relative to a result's largest, or beside one, is rounding: the input has no effect.
@@ -20,7 +21,7 @@ def explanation(task: "Task", document: "dict[str, Any]", answered: "Answer") ->
     model = answered.model
     out: dict[str, Any] = {}
     numbers = {**_defaults(task), **_numbers(document)}
-    formula = _fitting(model.formulas, numbers)
+    formula = _fitting(_formulas(model, document), numbers)
     if formula:
         out["formula"] = filled(formula, {})
         if _addresses(formula) and _addresses(formula) <= numbers.keys():
@@ -62,6 +63,12 @@ def filled(formula: str, numbers: "dict[str, str]") -> str:
 
 def _addresses(formula: str) -> "set[str]":
     return {piece.partition("}")[0].partition("|")[0] for piece in formula.split("{")[1:]}
+
+
+def _formulas(model: "Model", document: "dict[str, Any]") -> "tuple[str, ...]":
+    """The model's formulas, or that of this very case."""
+    own = load(model.formula_of)(document["inputs"]) if model.formula_of else ""
+    return (own,) if own else model.formulas
 
 
 def _fitting(formulas: "tuple[str, ...]", numbers: "dict[str, str]") -> str:
@@ -145,7 +152,7 @@ def formulas_with_numbers(
     defaults = {name: text.strip("()").partition(" ") for name, text in _defaults(task).items()}
     numbers = {**{name: piece(number, unit) for name, (number, _, unit) in defaults.items()}, **numbers}
     lines = []
-    for clause in _clauses(_fitting(model.formulas, numbers)):
+    for clause in _clauses(_fitting(_formulas(model, document), numbers)):
         left_side, sign, right_side = clause.partition(" = ")
         result = left_side[1:].partition("|")[0] if left_side.startswith("{") and left_side.endswith("}") else ""
         steps = [f"{filled(left_side, {})} = {filled(right_side, {})}" if sign else filled(clause, {})]

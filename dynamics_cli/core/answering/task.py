@@ -29,6 +29,7 @@ class Model:
 
     A formula writes results and inputs as `{address|symbol}`, so that it can be shown with symbols or with numbers; of
     several (one for each alternative of the inputs) the one whose numbers are available is shown.
+    `formula_of` names the function of the inputs, as a document has them, that gives the formula of this very case.
     `suffices` names a function of the same parameters that returns the reason why this model is sufficient, or None.
     `together` names one that answers many cases at once where the model takes no arrays: from the parameters of each,
     records with its numbers, or the error for a refused one.
@@ -41,6 +42,7 @@ class Model:
         *,
         source: str = "",
         formula: "str | tuple[str, ...]" = "",
+        formula_of: str = "",
         assumptions: "tuple[str, ...]" = (),
         method: str = "closed form",
         suffices: str = "",
@@ -51,6 +53,7 @@ class Model:
         self.function = function
         self._source = source
         self.formulas = (formula,) if isinstance(formula, str) else formula
+        self.formula_of = formula_of
         self.assumptions = assumptions
         self.method = method
         self.suffices = suffices

@@ -101,7 +101,9 @@ class _Points(Case):
     @property
     def singly(self) -> bool:
         """Whether every point needs a call of its own."""
-        return not self.task.arrays or self.layout.spread or self.settings.bounds or self.settings.fail
+        words = any(axis.words for axis in self.axes)
+        settings = self.settings
+        return words or not self.task.arrays or self.layout.spread or settings.bounds or settings.fail
 
     def singles(self, places: "list[int]") -> "tuple[list[Single], Cautions]":
         """Several points, and the cautions of their answers."""
@@ -116,8 +118,10 @@ class _Failures:
         self._found: dict[tuple[str, str | None], list[Any]] = {}
 
     def add(self, index: int, error: DynamicsError) -> None:
-        """Count a point without an answer under its reason."""
+        """Count a point without an answer under its reason; raises that of a misspelt word."""
         first = error.all()[0]
+        if first.code == "unknown-choice":
+            raise error
         entry = self._found.setdefault((first.code, first.parameter), [0, index, first])
         entry[0] += 1
 
@@ -280,7 +284,9 @@ def _table(points: _Points, rows: "list[list[Any] | None]") -> "dict[str, Any]":
         values = [value for value in axis.values for _ in range(after)] * before
         before *= axis.count
         table[axis.name] = {"value": values, "unit": axis.unit} if axis.unit else {"value": values}
-    for index, part in enumerate(points.layout.parts):
+    limited = {limit.result for limit in points.limits}
+    # What was asked for comes first: a screen may not hold all columns.
+    for index, part in sorted(enumerate(points.layout.parts), key=lambda item: ".".join(item[1].keys) not in limited):
         column = [None if row is None else row[index] for row in rows]
         # A vector does not fit into a column, and a result that no point has needs none.
         if part.how == "components" or isinstance(part.steps[-1], int) or all(value is None for value in column):

@@ -2,7 +2,7 @@
 
 import math
 
-from dynamics_cli.core.documents import flatten, quantity
+from dynamics_cli.core.documents import flatten, number, quantity
 from dynamics_cli.core.output.answer_words import body_names, in_words, label_in_words, with_name
 from dynamics_cli.pictures import Axis, Curve, Panel, Picture
 
@@ -24,6 +24,10 @@ def of_sweep(document: "dict[str, Any]", task: "Task") -> "Picture | None":
     """The varying headline results over the swept parameter; with two, a curve for each value of the second."""
     table: dict[str, Any] = document["results"]["sweep"]
     axes: list[str] = [axis["parameter"] for axis in document["inputs"]["sweep"]]
+    # Words have no place on an axis: each has a curve of its own.
+    axes.sort(key=lambda axis: isinstance(table[axis]["value"][0], str))
+    if isinstance(table[axes[0]]["value"][0], str):
+        return None
     names = [
         name
         for name in table
@@ -83,6 +87,7 @@ def _swept(table: "dict[str, Any]", axes: "list[str]", name: str, words_by_name:
     curves = []
     for level in dict.fromkeys(second["value"]):
         rows = [index for index, value in enumerate(second["value"]) if value == level]
-        label = f"{axes[1].replace('_', ' ')} = {level:g} {second.get('unit', '')}".rstrip()
+        label = f"{axes[1].replace('_', ' ')} = {number(level, 6)} {second.get('unit', '')}".rstrip()
+        label = level if isinstance(level, str) else label
         curves.append(Curve([first[row] for row in rows], [values[row] for row in rows], label))
     return Panel(titled(axes[0]), titled(name), tuple(curves))

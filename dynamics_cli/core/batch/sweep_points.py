@@ -1,11 +1,11 @@
-"""The points of a sweep: START:STOP:COUNT in exact ratios, each point rounded once, in the unit written."""
+"""The points of a sweep: START:STOP:COUNT, or a list; in exact ratios, each rounded once, in the unit written."""
 
 from dynamics_cli.core.answering.task import Task
 from dynamics_cli.core.inputs.forms.leading import pairs_of
 from dynamics_cli.core.inputs.forms.splitting import split_list
 from dynamics_cli.core.inputs.quantity_text import read_amount, total
 from dynamics_cli.core.inputs.sources.references import split_address
-from dynamics_cli.core.inputs.specification import Leaf, Many, Record
+from dynamics_cli.core.inputs.specification import Leaf, Many, Record, Tagged, members_of
 from dynamics_cli.core.inputs.values import Bound, Constant, Fields, Several, Value, VectorValue
 from dynamics_cli.core.units.conversion import convert, nearest
 from dynamics_cli.core.units.unit import Unit, conformable
@@ -13,25 +13,37 @@ from dynamics_cli.errors import UsageError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Sequence
     from typing import Any
 
     from dynamics_cli.core.inputs.specification import Field, Node
 
     Raw = dict[str, Any]
 
-EXAMPLE = 'for example --sweep "friction=0.3:0.9:7" or --sweep "distance=20:60 ft:5"'
+EXAMPLE = 'for example --sweep "friction=0.3:0.9:7", --sweep "distance=20:60:10 ft" or --sweep "friction=0.3, 0.5, 0.7"'
+WANTED = "START:STOP:COUNT, START:STOP:STEP with the step's unit or a decimal, or a list A, B, C"
 MOST = 1_000_000
 
 
 class Axis:
-    """One swept parameter: its address, the unit of its points, and the points as doubles in that unit."""
+    """One swept parameter: its address, the unit of its points, and the points as doubles in that unit, or as words."""
 
-    def __init__(self, name: str, path: "tuple[str | int, ...]", unit: str, values: "list[float]") -> None:
+    def __init__(
+        self,
+        name: str,
+        path: "tuple[str | int, ...]",
+        unit: str,
+        values: "Sequence[float | str]",
+        *,
+        listed: bool = False,
+    ) -> None:
         self.name = name
         self.path = path
         self.unit = unit
         self.values = values
         self.count = len(values)
+        self.listed = listed
+        self.words = isinstance(values[0], str)
 
     def number(self, place: int) -> str:
         """A point's number, as it would be typed."""
@@ -39,10 +51,15 @@ class Axis:
 
     def text(self, place: int) -> str:
         """A point, as it would be typed."""
+        if self.words:
+            return str(self.values[place])
         return f"{self.values[place]!r} {self.unit}".rstrip()
 
     def echo(self) -> "dict[str, Any]":
         """The axis as the document shows it."""
+        if self.listed:
+            listed = {"parameter": self.name, "values": list(self.values), "count": self.count}
+            return {**listed, "unit": self.unit} if self.unit else listed
         ends: list[dict[str, Any]] = [{"value": self.values[0]}, {"value": self.values[-1]}]
         if self.unit:
             ends = [{**end, "unit": self.unit} for end in ends]
@@ -50,7 +67,7 @@ class Axis:
 
     def check(self, bound: Fields) -> None:
         """Refuse an address that holds no number."""
-        if not _has_number(bound, self.name):
+        if not self.words and not _has_number(bound, self.name):
             raise UsageError(
                 f"{self.name} is not a number that can be swept", parameter="sweep", code="not-a-number", hint=EXAMPLE
             )
@@ -66,41 +83,94 @@ def read_axes(task: Task, texts: "dict[str, str]") -> "list[Axis]":
 
 def _axis(task: Task, name: str, text: str) -> Axis:
     path = _path(task, name)
-    parts = [part.strip() for part in text.split(":")]
-    if len(parts) != 3 or not all(parts):
-        raise UsageError(f"read {text!r}, wanted START:STOP:COUNT", parameter="sweep", code="syntax", hint=EXAMPLE)
-    if not (parts[2].isascii() and parts[2].isdigit()) or not 2 <= int(parts[2][:9]) <= MOST:
-        message = f"read {parts[2]!r}, wanted a count of points from 2 to {MOST:,}"
-        raise UsageError(message, parameter="sweep", code="count", hint=_by_step(name, *parts) or EXAMPLE)
-    try:
-        start, stop, unit = _ends(parts[0], parts[1])
-        values = _points(start, stop, int(parts[2]))
-    except UsageError as error:
-        error.parameter = "sweep"
-        raise
     address = ""
     for step in path:
         address += f"[{step}]" if isinstance(step, int) else f".{step}"
-    return Axis(address.lstrip("."), path, unit, values)
+    address = address.lstrip(".")
+    parts = [part.strip() for part in text.split(":")]
+    items = [item.strip() for item in split_list(text)]
+    try:
+        if len(parts) == 1 and len(items) > 1 and all(items):
+            words = _are_words(task.specification.fields, path)
+            return Axis(address, path, *(("", items) if words else _listed(items)), listed=True)
+        if len(parts) != 3 or not all(parts):
+            raise UsageError(f"read {text!r}, wanted {WANTED}", code="syntax", hint=EXAMPLE)
+        start, stop, unit = _ends(parts[0], parts[1])
+        count = _count(name, *parts)
+        # 20:60:10 ft
+        return Axis(address, path, unit or _read(parts[2])[2].text, _points(start, stop, count))
+    except UsageError as error:
+        error.parameter = "sweep"
+        raise
 
 
-def _by_step(name: str, first: str, last: str, third: str) -> str:
-    """How a sweep is written whose third part is the step: with the points that it gives."""
+def _are_words(fields: "tuple[Field, ...]", path: "tuple[str | int, ...]") -> bool:
+    """Whether the parameter at a path takes words: a choice, a name, yes or no."""
+    for field in fields:
+        node: Node = field.node.item if isinstance(field.node, Many) else field.node
+        steps = path[1:] if field.key == path[0] else path if path[0] in field.known else None
+        if steps is None:
+            continue
+        if isinstance(node, Leaf):
+            if not steps:
+                return node.choice is not None or node.kind.form in ("text", "flag")
+            continue
+        steps = steps[1:] if steps and isinstance(steps[0], int) else steps
+        if isinstance(node, Tagged) and steps == (node.key,):
+            return True
+        if steps and any(_are_words(member.fields, steps) for member in members_of(node)):
+            return True
+    return False
+
+
+def _listed(items: "list[str]") -> "tuple[str, list[float | str]]":
+    """The unit and the numbers of a list in that of its first unit; words as they are typed."""
+    try:
+        read = [_read(item) for item in items]
+    except UsageError:
+        if any(item[:1] in "+-.0123456789" for item in items):
+            raise
+        return "", list(items)
+    units = [own for _, _, own in read if own.text]
+    values: list[float | str] = []
+    for item, (up, down, own) in zip(items, read, strict=True):
+        pi = 0
+        if own.text and own.text != units[0].text:
+            if not conformable(own, units[0]):
+                raise UsageError(f"{item!r} is not in the kind of {units[0].text}", code="kind", hint=EXAMPLE)
+            up, down, pi = convert(up, down, own, units[0])
+        values.append(nearest(up, down, pi))
+    return units[0].text if units else "", values
+
+
+def _count(name: str, first: str, last: str, third: str) -> int:
+    """The number of points, given itself or by the step from one to the next."""
+    if third.isascii() and third.isdigit():
+        if 2 <= int(third[:9]) <= MOST:
+            return int(third)
+        by_step = _steps(first, last, third)
+        hint = f'in steps of {third}: --sweep "{name}={first}:{last}:{by_step}"' if by_step else EXAMPLE
+    else:
+        if by_step := _steps(first, last, third):
+            return by_step
+        hint = f"from {first} to {last} is not a whole number of steps of {third}; {EXAMPLE}"
+    message = f"read {third!r}, wanted a count of points from 2 to {MOST:,}, or a step"
+    raise UsageError(message, code="count", hint=hint)
+
+
+def _steps(first: str, last: str, third: str) -> int:
+    """The number of points of a sweep whose third part is the step; 0 where it is none, or does not reach the end."""
     try:
         start, stop, unit = _ends(first, last)
         up, down, own = _read(third)
-        unit = unit or own.text
-        if own.text and own.text != unit:
+        if own.text and unit and own.text != unit:
             up, down, _ = convert(up, down, own, _read(first if _read(first)[2].text else last)[2])
     except UsageError:
-        return ""
-    if up <= 0:
-        return ""
-    steps, rest = divmod((stop[0] * start[1] - start[0] * stop[1]) * down, start[1] * stop[1] * up)
-    if rest or not 0 < steps < MOST:
-        return ""
-    last = last if _read(last)[2].text else f"{last} {unit}".rstrip()
-    return f'in steps of {third}: --sweep "{name}={first}:{last}:{steps + 1}"'
+        return 0
+    if not up:
+        return 0
+    steps, remainder = divmod((stop[0] * start[1] - start[0] * stop[1]) * down, start[1] * stop[1] * up)
+    return steps + 1 if not remainder and 0 < steps < MOST else 0
 
 
 def _path(task: Task, name: str) -> "tuple[str | int, ...]":
@@ -204,7 +274,9 @@ def with_objects(raw: "Raw", fields: "tuple[Field, ...]") -> "Raw":
     raw = dict(raw)
     for field in fields:
         node, value = field.node, raw.get(field.key)
-        if isinstance(node, Record) and isinstance(value, dict):
+        if isinstance(node, Record) and field.place:
+            raw = with_objects(raw, node.fields)
+        elif isinstance(node, Record) and isinstance(value, dict):
             raw[field.key] = with_objects(value, node.fields)
         elif isinstance(node, Many) and not isinstance(node.item, Leaf) and isinstance(value, list):
             raw[field.key] = [_as_object(item, node.item) for item in value]

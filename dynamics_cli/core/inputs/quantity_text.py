@@ -190,7 +190,7 @@ def read_scalar(text: str, kind: "Kind", default_unit: str = "") -> Reading:
 
         if hint := as_range(text):
             raise UsageError(f"{shown(text)} is not one number", code="range", hint=hint) from None
-        expected = kind.about if kind.form == "whole" else f"a{'n' * kind.name.startswith(tuple('aeiou'))} {kind.name}"
+        expected = kind.about if kind.form == "whole" else kind.one
         if error.code == "bounds":
             hint = f"example: {kind.example}"
             raise UsageError(f"{shown(text)} is out of range: {error.message}", code=error.code, hint=hint) from None

@@ -35,7 +35,11 @@ UNIVERSAL_OPTIONS: "dict[str, tuple[str, str, str]]" = {
     "references": ("flag", "", "Let rows take results from files: @crash.json:speed."),
     "bounds": ("flag", "", "Add a column to rows and sweeps: the largest relative error bound of their results."),
     "jobs": ("value", "N", "Processes for a long --rows stream or --sweep (1; all: every processor)."),
-    "sweep": ("many", "NAME=A:B:N", 'A table over one parameter, or two: --sweep "friction=0.3:0.9:7".'),
+    "sweep": (
+        "many",
+        "NAME=A:B:N",
+        'A table over one parameter, or two: --sweep "friction=0.3:0.9:7", "distance=20, 40 m", "law=harmonic,3-4-5".',
+    ),
     "method": ("value", "NAME", "How uncertainty is propagated; the default chooses (auto, linear, monte-carlo, …)."),
     "samples": (
         "value",

@@ -20,7 +20,27 @@ def plain_text(text: str) -> str:
     plain = _without_signs(_without_groups(_without_clock(text)))
     # the comma of 5 ft, 6 in
     head, comma, tail = plain.partition(", ")
-    return f"{head} {tail}" if comma and head[-1:].isalpha() and tail[:1] in tuple(DIGITS) else plain
+    if not comma or not head[-1:].isalpha() or tail[:1] not in tuple(DIGITS):
+        return plain
+    if not _in_parts(head, tail):
+        hint = f"write {head} {tail} for their sum; here one value is wanted"
+        raise UsageError(f"{text!r} may be one value or two", code="ambiguous", hint=hint)
+    return f"{head} {tail}"
+
+
+def _in_parts(head: str, tail: str) -> bool:
+    """Whether the unit after the comma divides the one before it, as inches divide a foot and not a metre."""
+    from dynamics_cli.core.units.compound import part_unit
+    from dynamics_cli.core.units.conversion import convert
+    from dynamics_cli.core.units.lookup import parse_unit
+
+    larger, smaller = (part.rstrip().lstrip(DIGITS + "+-−./e ") for part in (head, tail.partition(",")[0]))
+    try:
+        whole = parse_unit(larger)
+        up, down, pi = convert(1, 1, whole, part_unit(smaller, whole))
+    except UsageError:
+        return True  # what is wrong with them is reported later
+    return not pi and not up % down
 
 
 def summands(text: str) -> list[str]:

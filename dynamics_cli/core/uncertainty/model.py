@@ -146,6 +146,10 @@ class TaskModel:
             raise ValueError("results that only a single case has")
         return {name: numbers[name] for name in self.names}
 
+    def _numbers(self, record: "Any") -> "dict[str, Any]":
+        """The results that are wanted, as far as a record has them."""
+        return {name: value for name, _, value in result_numbers(record, self.spec) if name in self.names}
+
     def _spread(self, results: "dict[str, Any]", kept: "Any", count: int) -> "tuple[dict[str, Any], Any]":
         refused = np.ones(count, dtype=bool)
         refused[kept] = False
@@ -235,9 +239,14 @@ class TaskModel:
         try:
             with np.errstate(divide="raise", over="raise", invalid="raise", under="ignore"):
                 for part in parts(record_of, arrays, rows, _refused, _Branching):
-                    for name, _, value in result_numbers(part.outcome, self.spec):
-                        if name in results:
-                            results[name][part.rows] = value
+                    numbers = self._numbers(part.outcome)
+                    if len(numbers) < len(self.names):
+                        # a branch without this result, or physics that gives it to single cases only?
+                        first = record_of({name: float(array[part.rows[0]]) for name, array in arrays.items()})
+                        if self._numbers(first).keys() - numbers.keys():
+                            continue
+                    for name, value in numbers.items():
+                        results[name][part.rows] = value
                     done.append(part.rows)
         except (TypeError, ValueError, AttributeError, LookupError):
             # physics that takes no arrays at all

@@ -16,6 +16,7 @@ LONGEST = 120
 DEEPEST = 8
 HIGHEST_POWER = 20
 PRODUCTS = "*·⋅∙×"
+SHARES = {"%", "‰", "percent", "pct", "permille"}
 NAME_SIGNS = "_°%‰′″℃℉"
 SUPERSCRIPTS = "⁰¹²³⁴⁵⁶⁷⁸⁹"
 DIGITS = "0123456789"
@@ -98,6 +99,12 @@ class _Reader:
                     "a product after a division can be read in two ways",
                     "use parentheses: kg/(m*s) for kg over both, or put the division last: kg*s/m",
                     "ambiguous-unit",
+                )
+            elif (
+                not SHARES.isdisjoint(names := {name for name, _ in (*factors_read, *operand)}) and "grade" not in names
+            ):
+                self.fail(
+                    "a percentage beside another unit", "write the value itself, 0.8 kg, or the share alone, 80 %"
                 )
             factors_read += operand
         return factors_read

@@ -31,6 +31,7 @@ SHAPE = Task(
         "dynamics_cli.inertia.shapes.task:shape",
         source=BOOK + "chapter 7, appendices I and II",
         formula="I = tr(S)·1 − S, S = ∫ (r − c)(r − c)ᵀ dm; about a point at d from c: + {mass|m}·(d²·1 − d dᵀ)",
+        formula_of="dynamics_cli.inertia.shapes.listing:formula",
         assumptions=(RIGID, "rods, laminae and shells have no thickness"),
     ),
     headline=(*MEASURES, *MOMENTS, *SHAFT),

@@ -10,6 +10,10 @@ if TYPE_CHECKING:
     from typing import Any
 
 DIAMETERS = "a diameter may stand for any radius, inner_radius or inner_diameter for the thickness of a round wall"
+# The symbols of sizes in the formulas.
+LETTERS = {
+    "mass": "m", "radius": "R", "length": "L", "height": "h", "width": "w", "depth": "d", "thickness": "t"
+}  # fmt: skip
 GROUPS = (("rod", RODS), ("lamina", PLATES), ("shell", SHELLS), ("solid", SOLIDS), ("hollow", HOLLOW))
 
 
@@ -68,6 +72,24 @@ def shapes(
     )
     round_ones = any("radius" in row.sizes for row in matching)
     return ShapeTable(matching, (Advice("diameters", DIAMETERS, "note"),) if round_ones else ())
+
+
+def formula(inputs: "dict[str, Any]") -> str:
+    """The formula of the shape of a call, its symbols with the addresses of its sizes; empty for an unknown shape."""
+    import re
+
+    every = [cls for _, members in GROUPS for cls in members.__args__]
+    shape = next((cls for cls in every if inputs.get("shape") in (cls.tag[1], *getattr(cls, "also", ()))), None)
+    if shape is None:
+        return ""
+    sizes = {*_row("", shape).sizes.replace("-", "_").split(", "), "mass"}
+    names = {letter: size for size, letter in LETTERS.items() if size in sizes}
+    if "ring_radius" in sizes:
+        names |= {"R": "ring_radius", "r": "radius"}
+    letters = f"(?<![A-Za-z_])([{''.join(names)}])(?![A-Za-z_])"
+    text = re.sub(letters, lambda match: f"{{{names[match[0]]}|{match[0]}}}", shape.formula)
+    elsewhere = "about_point" in inputs or inputs.get("about", "centroid") != "centroid"
+    return text + "; about a point at d from the centroid: + {mass|m}·(d²·1 − d dᵀ)" * elsewhere
 
 
 def _written(name: str, annotation: "Any") -> str:
