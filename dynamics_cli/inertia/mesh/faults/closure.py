@@ -25,11 +25,11 @@ def edge_sum(corners: "Array", h: "Array", spare: "Array") -> int:
     The other arrays are room to work in, three rows of 64-bit numbers each.
     """
     vertex_hashes(corners, h, spare)
-    # over the edges of one triangle the sum is (h_a − h_b)(g_c − g_b) − (h_c − h_b)(g_a − g_b)
+    # over the edges of one triangle the sum is (h_c − h_b)(g_a − g_b) − (h_a − h_b)(g_c − g_b)
     np.subtract(h[::2], h[1], out=h[::2])
     np.subtract(spare[::2], spare[1], out=spare[::2])
     np.multiply(h[::2], spare[::-2], out=h[::2])
-    np.subtract(h[0], h[2], out=h[0])
+    np.subtract(h[2], h[0], out=h[0])
     return int(np.add.reduce(h[0]))
 
 
