@@ -284,7 +284,7 @@ TURNING = Task(
     plot=f"{PICTURES}:turning",
     table="torque orders firings",
     arrays=False,
-    cost=7e-3,
+    cost=4e-3,
     tracked=False,
 )  # fmt: skip
 

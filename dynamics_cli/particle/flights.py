@@ -17,6 +17,10 @@ if TYPE_CHECKING:
 NODES = legendre(16)
 FEWER = legendre(12)
 ROUNDS = 100
+# A last step of Newton's rule, in widths of the panel.
+SETTLED = 1e-8
+# From this difference of slopes on, that of G is taken plainly.
+NEAR = 0.02
 STEEPEST = 1e150
 
 
@@ -113,6 +117,7 @@ class Quadratic:
         self.side = 1.0 if through >= 0.0 else -1.0
         self.through, self.gravity, self.terminal, self.wind = abs(through), gravity, terminal, wind
         self.slope = up / self.through
+        self.start = _primitive(self.slope)
         self.head = 1.0 / (self.through * self.through)
         # the first panel is as wide as the launch speed takes to fall off, each next one twice as wide
         width = 0.25 * terminal * terminal * self.head / math.sqrt(1.0 + self.slope * self.slope)
@@ -121,7 +126,11 @@ class Quadratic:
         self.nodes = NODES
 
     def _speed(self, slope: float) -> float:
-        return 1.0 / math.sqrt(self.head + _difference(self.slope, slope) / (self.terminal * self.terminal))
+        if self.slope - slope > NEAR * (1.0 + abs(self.slope)):
+            risen = self.start - _primitive(slope)
+        else:
+            risen = _difference(self.slope, slope)
+        return 1.0 / math.sqrt(self.head + risen / (self.terminal * self.terminal))
 
     def _added(self, high: float, low: float) -> "tuple[float, float, float]":
         """Time, distance and height from one slope to a lower one."""
@@ -170,11 +179,14 @@ class Quadratic:
             here = self._gone(index, place)
             excess, rate = self._past(which, place, here) - wanted, self._rate(which, place)
             lower, upper = (place, upper) if excess >= 0.0 else (lower, place)
-            # Newton's step where it stays between, else halving
+            # Newton's step where it stays between, else halving; what it leaves is the square of a small step
             following = place - excess / rate if rate else lower
+            if abs(following - place) <= SETTLED * (slope - low):
+                place = following
+                break
             if not lower < following < upper:
                 following = 0.5 * (lower + upper)
-            if not lower < following < upper or abs(following - place) <= 4e-16 * abs(place):
+            if not lower < following < upper:
                 break
             place = following
         return self._state(place, self._gone(index, place))
@@ -277,10 +289,8 @@ def _primitive(p: float) -> float:
 
 
 def _difference(high: float, low: float) -> float:
-    """G(high) − G(low), by the mean value of its derivative where they are near one another."""
+    """G(high) − G(low) by the mean value of its derivative, where they are near one another."""
     span = high - low
-    if span > 0.02 * (1.0 + abs(high)):
-        return _primitive(high) - _primitive(low)
     total = 0.0
     for share, weight in FEWER:
         p = high - share * span

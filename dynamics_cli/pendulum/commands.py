@@ -122,7 +122,7 @@ DAMPED = Task(
     table="peaks",
     plot=f"{PICTURES}:damped",
     arrays=False,
-    cost=0.02,
+    cost=6e-3,
     tracked=False,
 )  # fmt: skip
 

@@ -303,6 +303,18 @@ class TestSurfaces:
         assert sums(whole) == 0
         assert sums(cut) != 0
 
+    def test_the_sum_is_that_over_directed_edges(self) -> None:
+        corners = np.random.default_rng(3).normal(size=(9, 50))
+        h, g = np.empty((2, 3, 50), np.uint64)
+        vertex_hashes(corners, h, g)
+        assert (g == h >> np.uint64(32)).all()
+        whole = [[int(value) for value in row] for row in h]
+        upper = [[value >> 32 for value in row] for row in whole]
+        edges = 0
+        for u, v in ((0, 1), (1, 2), (2, 0)):
+            edges += sum(whole[u][k] * upper[v][k] - whole[v][k] * upper[u][k] for k in range(50))
+        assert edge_sum(corners, h, g) == edges % 2**64
+
     def test_minus_zero_is_zero(self, tmp_path: Path) -> None:
         made = [tuple(tuple(-0.0 if x == 0.0 and k % 2 else x for x in p) for p in t) for k, t in enumerate(BOX)]
         assert solid(stl(tmp_path, made)).volume == 6.0

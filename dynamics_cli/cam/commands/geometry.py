@@ -164,7 +164,7 @@ EXPORT = Task(
     notes=PROGRAM_NOTES,
     scene=ROLLER_SCENE,
     arrays=False,
-    unspread=("deviation", "pieces", "tolerance"),
+    unspread=("deviation", "pieces"),
     tracked=False,
     writers={
         "polar": "dynamics_cli.cam.export.writers:polar",

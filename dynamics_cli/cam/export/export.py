@@ -7,6 +7,7 @@ from dynamics_cli.errors import require, require_given
 from dynamics_cli.outlines import Drawing
 from dynamics_cli.quantities import Angle, Annotated, Count, Size, Text
 from dynamics_cli.records import Check, Numerics
+from dynamics_cli.sampling import drawing
 
 CCW = Rotation("counter-clockwise")
 INNER = Flank("inner")
@@ -84,6 +85,8 @@ def export(
     motion = motion_of(scene, program)
     require_lift(motion, geometry.oscillating)
     away = {"cam": 0.0, "pitch": geometry.side * geometry.roller, "cutter": geometry.side * (cutter_radius or 0.0)}
+    if drawing():  # a sample has no curve of its own
+        return CamExport(tolerance, 0, tolerance, None, (), None, None)  # type: ignore[arg-type]
     outline = drawn(geometry, motion, away[str(curve)], start_angle, str(form), tolerance, str(curve))
     polar, lifts, swings = tables(geometry, motion, away[str(curve)], start_angle, points)
     return CamExport(

@@ -43,7 +43,7 @@ class Option:
 
 def kebab(name: str) -> str:
     """`end_speed` and `TestSkid` as the command line writes them: `end-speed`, `test-skid`."""
-    text = "".join("-" + c.lower() if c.isupper() else c for c in name)
+    text = name if name.islower() else "".join("-" + c.lower() if c.isupper() else c for c in name)
     return text.strip("-_").replace("_", "-")
 
 

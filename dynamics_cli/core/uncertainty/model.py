@@ -110,7 +110,7 @@ class TaskModel:
         """Results by address, and which rows are inadmissible."""
         arrays = {name: value for name, value in inputs.items() if isinstance(value, np.ndarray)}
         count = len(next(iter(arrays.values()))) if arrays else 1
-        if not count:  # without an admissible point there is nothing to evaluate
+        if not count or not self.names:  # without an admissible point or a result there is nothing to evaluate
             return {name: np.empty(0) for name in self.names}, None
         refused = self._outside(arrays, count)
         if not self.arrays or not arrays:

@@ -84,7 +84,7 @@ ENVELOPE = Task(
     ),
     table="map",
     arrays=False,
-    cost=3e-3,
+    cost=4e-3,
     unspread=("refused",),
     tracked=False,
     findings=(
@@ -125,7 +125,7 @@ SPATIAL = Task(
         '--second-velocity "0, 10, 0 m/s" --normal "0.98, 0.17, 0" --friction 0.5 --restitution 0.1 --json',
     ),
     arrays=False,
-    cost=8e-4,
+    cost=1e-3,
     tracked=False,
     headline=IN_SPACE,
 )

@@ -99,17 +99,23 @@ def _verdict(term: Term, factor: float, slopes: "list[tuple[str, float]]") -> Sp
     for name, slope in slopes[1:]:
         steeper = absolute(slope) > steepest
         if not drawing():
-            # of samples nobody asks, and texts are slow
             worst = where(steeper, name, worst)  # type: ignore[arg-type,assignment]
         steepest = where(steeper, absolute(slope), steepest)
     tenth = 0.1 * absolute(term.speed * factor)  # type: ignore[operator]
     moves = steepest > 0.0
     tolerance = where(moves, minimum(tenth / where(moves, steepest, 1.0), HALF_TURN), HALF_TURN)
     plainly = plain(tolerance)
-    level = where(plainly >= GOOD, LEVELS[2], where(plainly >= CAUTION, LEVELS[1], LEVELS[0]))  # type: ignore[arg-type]
+    level = _level(plainly, GOOD, CAUTION)
     whole = absolute(factor)
     per_degree = where(whole > 0.0, DEGREE * steepest / where(whole > 0.0, whole, 1.0), 0.0)
-    return SpeedVerdict(level, tolerance, worst, per_degree=per_degree)  # type: ignore[arg-type]
+    return SpeedVerdict(level, tolerance, worst, per_degree=per_degree)
+
+
+def _level(tolerance: float, good: float, fair: float) -> str:
+    """The verdict in a word; of samples nobody asks, and texts are slow."""
+    if drawing():
+        return LEVELS[2]
+    return where(tolerance >= good, LEVELS[2], where(tolerance >= fair, LEVELS[1], LEVELS[0]))  # type: ignore[arg-type,return-value]
 
 
 def worse(least: SpeedVerdict, *others: SpeedVerdict) -> SpeedVerdict:
@@ -117,7 +123,7 @@ def worse(least: SpeedVerdict, *others: SpeedVerdict) -> SpeedVerdict:
     for other in others:
         lower = least.heading_tolerance <= other.heading_tolerance  # type: ignore[operator]
         least = SpeedVerdict(
-            where(lower, least.verdict, other.verdict),  # type: ignore[arg-type]
+            least.verdict if drawing() else where(lower, least.verdict, other.verdict),  # type: ignore[arg-type]
             where(lower, least.heading_tolerance, other.heading_tolerance),  # type: ignore[arg-type]
             least.worst_heading if drawing() else where(lower, least.worst_heading, other.worst_heading),  # type: ignore[arg-type]
             per_degree=where(lower, least.per_degree, other.per_degree),  # type: ignore[arg-type]
@@ -183,14 +189,13 @@ def energy_verdict(speed: float, closing: float, effects: "Sequence[tuple[str, f
     for name, effect in effects[1:]:
         steeper = absolute(effect) > steepest
         if not drawing():
-            # of samples nobody asks, and texts are slow
             worst = where(steeper, name, worst)  # type: ignore[arg-type,assignment]
         steepest = where(steeper, absolute(effect), steepest)
     tenth, moves = 0.1 * maximum(absolute(speed), 0.25 * closing), steepest > 0.0
     tolerance = where(moves, minimum(tenth / where(moves, steepest, 1.0), 1.0), 1.0)
     plainly = plain(tolerance)
-    level = where(plainly >= GOOD_SHARE, LEVELS[2], where(plainly >= CAUTION_SHARE, LEVELS[1], LEVELS[0]))  # type: ignore[arg-type]
-    return SpeedVerdict(level, None, None, tolerance, worst)  # type: ignore[arg-type]
+    level = _level(plainly, GOOD_SHARE, CAUTION_SHARE)
+    return SpeedVerdict(level, None, None, tolerance, worst)
 
 
 def energy_advice(verdicts: "Sequence[tuple[str, float, SpeedVerdict]]") -> tuple[Advice, ...]:

@@ -8,28 +8,27 @@ if TYPE_CHECKING:
 
     Array = np.ndarray[Any, np.dtype[Any]]
 
-# Terms of the sums: second moments xx yy zz xy yz zx, first moments, closure vector, Σ nₖ², Σ w, Σ |n|,
-# Σ |eᵢ fⱼ| + |eⱼ fᵢ|, Σ eₖ², Σ fₖ².
-SECOND, FIRST, CLOSURE, SQUARES, TOTAL, AREA, PRODUCTS, EDGES = (
-    slice(0, 6), slice(6, 9), slice(9, 12), slice(12, 15), 15, 16, slice(17, 20), slice(20, 26),
-)  # fmt: skip
-TERMS = 26
-# Sums over one block, the box of each corner, the reach and mean square along the axes of the second pass, and the sum
-# over its directed edges.
+# The sums over one block: directed edges, weighted squares of p (with Σ w p), e − f and e + f, Σ |eᵢ||fⱼ|, Σ n, Σ nₖ²,
+# Σ w, Σ |n|, Σ eₖ² and Σ fₖ²; and the box of each corner, the reach and mean square along the axes of the second pass.
 PART = np.dtype(
     [
         ("count", np.int64),
-        ("terms", np.float64, TERMS),
+        ("edges", np.uint64),
         ("low", np.float64, 9),
         ("high", np.float64, 9),
         ("extent", np.float64, 3),
         ("spread", np.float64, 3),
-        ("edges", np.uint64),
+        ("centroids", np.float64, (3, 4)),
+        ("differences", np.float64, (3, 3)),
+        ("sums", np.float64, (3, 3)),
+        ("products", np.float64, (3, 3)),
+        ("closure", np.float64, 3),
+        ("squares", np.float64, 3),
+        ("total", np.float64),
+        ("area", np.float64),
+        ("lengths", np.float64, (2, 3)),
     ]
 )
-# The elements of a symmetric matrix in their order, and the axes across each axis.
-_ROWS, _COLUMNS = (0, 1, 2, 0, 1, 2), (0, 1, 2, 1, 2, 0)
-_ACROSS = ((1, 2), (2, 0), (0, 1))
 
 
 class Room:
@@ -41,15 +40,13 @@ class Room:
         vectors = np.ones((10, size))
         self.normals, self._spare = np.empty((2, 3, size))
         self.a, self.e, self.f = vectors[:3], vectors[4:7], vectors[7:]
-        self._a_and_one, self._edges = vectors[:4], vectors[4:]
+        self._a_and_one, self._edges = vectors[:4].T, vectors[4:]
         self._sizes = self.corners[:6]
         self._three = self.corners[:3], self.corners[3:6], self.corners[6:]
         self._factors = [
-            [
-                (self.e[i], self.f[j], into[k])
-                for (i, j), into in (((k - 2, k - 1), self.normals), ((k - 1, k - 2), self._spare))
-            ]
+            (self.e[i], self.f[j], into[k])
             for k in range(3)
+            for (i, j), into in (((k - 2, k - 1), self.normals), ((k - 1, k - 2), self._spare))
         ]
         self.hashes, self.mixed = self.normals.view(np.uint64), self._spare.view(np.uint64)
 
@@ -62,22 +59,23 @@ class Room:
 
     def add(self, part: "Any", *, shell: bool, turned: bool) -> None:
         """The sums over the vectors, seen from the reference point; overwrites them, and `corners`."""
-        n, t, terms = self.normals, self._spare, part["terms"]
+        n, weights = self.normals, self._spare[0]
         a, e, f = self.a, self.e, self.f
-        d, other, more = t
-        self._cross(n, t, terms)
+        for one, other, product in self._factors:
+            np.multiply(one, other, out=product)
+        np.subtract(n, self._spare, out=n)
+        np.abs(self._edges, out=self._sizes)
+        np.dot(self._sizes[:3], self._sizes[3:].T, out=part["products"])
         if turned:
-            terms[EDGES] = [np.dot(row, row) for row in self._edges]
-        np.add.reduce(n, axis=1, out=terms[CLOSURE])
-        np.multiply(n, n, out=t)
-        np.add.reduce(t, axis=1, out=terms[SQUARES])
-        np.add(d, other, out=d)
-        np.add(d, more, out=d)
-        np.sqrt(d, out=d)
-        terms[AREA] = np.add.reduce(d)
+            part["lengths"] = np.reshape([np.dot(row, row) for row in self._edges], (2, 3))
+        np.add.reduce(n, axis=1, out=part["closure"])
+        part["squares"] = [np.dot(row, row) for row in n]
+        np.einsum("ij,ij->j", n, n, out=weights)
+        np.sqrt(weights, out=weights)
+        part["area"] = np.add.reduce(weights)
         if not shell:
-            np.einsum("ij,ij->j", a, n, out=d)
-        terms[TOTAL] = np.add.reduce(d)
+            np.einsum("ij,ij->j", a, n, out=weights)
+        part["total"] = np.add.reduce(weights)
         # the sum and the difference of the edges, in the rooms of the normals and of e; a becomes the centroid p
         h, third, g = n, f, e
         np.add(e, f, out=h)
@@ -86,20 +84,10 @@ class Room:
         np.add(a, third, out=a)
         if turned:
             part["spread"] = (a * a + g * g * (1.0 / 24.0) + h * h * (1.0 / 72.0)).max(axis=1)
-        for vector, weighted in zip((a, g, h), self._three, strict=True):
-            np.multiply(vector, d, out=weighted)
         of_p, of_g, of_h = self._three
-        by_p = np.dot(of_p, self._a_and_one.T)
-        second = by_p[:, :3] + np.dot(of_g, g.T) / 24.0 + np.dot(of_h, h.T) / 72.0
-        terms[FIRST] = by_p[:, 3]
-        terms[SECOND] = second[_ROWS, _COLUMNS]
-
-    def _cross(self, n: "Array", t: "Array", terms: "Array") -> None:
-        """The cross product of the edges, and the sums of the sizes of the products that it is differences of."""
-        for pair in self._factors:
-            for e, f, product in pair:
-                np.multiply(e, f, out=product)
-        np.subtract(n, t, out=n)
-        np.abs(self._edges, out=self._sizes)
-        products = np.dot(self._sizes[:3], self._sizes[3:].T)
-        terms[PRODUCTS] = [products[i, j] + products[j, i] for i, j in _ACROSS]
+        np.multiply(a, weights, out=of_p)
+        np.multiply(g, weights, out=of_g)
+        np.multiply(h, weights, out=of_h)
+        np.dot(of_p, self._a_and_one, out=part["centroids"])
+        np.dot(of_g, g.T, out=part["differences"])
+        np.dot(of_h, h.T, out=part["sums"])

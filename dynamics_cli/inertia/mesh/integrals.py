@@ -9,19 +9,10 @@ with the shares of a tetrahedron and a triangle. Edges do not depend on the refe
 their digits.
 """
 
+from math import fsum
+
 import numpy as np
 
-from dynamics_cli.inertia.mesh.block_sums import (
-    AREA,
-    CLOSURE,
-    EDGES,
-    FIRST,
-    PRODUCTS,
-    SECOND,
-    SQUARES,
-    TERMS,
-    TOTAL,
-)
 from dynamics_cli.inertia.mesh.frame import Frame, departure
 
 TYPE_CHECKING = False
@@ -59,8 +50,8 @@ class Moments:
         longer = np.zeros(3) if frame is None or sums.shell else 0.5 * np.diag(departure(frame.rows))
         self.measure = sums.total / scale[0] * (1.0 - float(longer.sum()))
         first = sums.first / scale[1]
-        xx, yy, zz, xy, yz, zx = sums.second / scale[2]
-        second = np.array(((xx, xy, zx), (xy, yy, yz), (zx, yz, zz)))
+        # symmetric but for rounding
+        second = (sums.second + sums.second.T) / (2.0 * scale[2])
         extent, products = sums.extent + sums.grain, sums.products()
         # turned axes stretch a shell by a few roundings, which are not given back
         weight = float(products.sum()) + 4.0 * sums.area if sums.shell else float(extent @ products)
@@ -100,7 +91,7 @@ class Moments:
         error = self.centre_error
         if self.frame is not None and self.known:
             error = abs(self.frame.T) @ (error + 4.0 * UNIT_ROUNDOFF * abs(self.centre))
-        return error + UNIT_ROUNDOFF * abs(self.centroid)
+        return error + UNIT_ROUNDOFF * abs(self.centroid)  # type: ignore[no-any-return]
 
     def in_file(self) -> "tuple[Array, Array]":
         """Second moments in the axes of the file, and their error bounds."""
@@ -124,62 +115,45 @@ class Moments:
 
 
 class Sums:
-    """The sums of one pass over the triangles."""
+    """The sums of one pass over the triangles, from those of its blocks.
 
-    def __init__(self, *, shell: bool, proved: bool = False, grain: float = 0.0) -> None:
+    `spread` is the greatest mean square of a triangle's coordinates along the axes of the second pass, `grain` their
+    common error; `proved` asks whether every directed edge is proved to have an opposite one.
+    """
+
+    def __init__(self, parts: "Array", *, shell: bool, proved: bool = False, grain: float = 0.0) -> None:
         self.shell = shell
         self.grain = grain
-        self.proved = proved
-        # the sum over directed edges, modulo 2⁶⁴
-        self.edges = 0
-        self.count = 0
-        self._low = np.full(9, np.inf)
-        self._high = np.full(9, -np.inf)
-        self.extent = np.zeros(3)
-        # the greatest mean square of a triangle's coordinates, of the second pass
-        self.spread = np.zeros(3)
-        self._sum, self._lost = np.zeros((2, TERMS))
-
-    low = property(lambda self: self._low.reshape(3, 3).min(axis=0))
-    high = property(lambda self: self._high.reshape(3, 3).max(axis=0))
-    second = property(lambda self: self._sum[SECOND])
-    first = property(lambda self: self._sum[FIRST])
-    closure = property(lambda self: 0.5 * self._sum[CLOSURE])
-    squares = property(lambda self: 0.25 * self._sum[SQUARES])
-    total = property(lambda self: float(self._sum[TOTAL]))
-    area = property(lambda self: 0.5 * float(self._sum[AREA]))
-    # whether every directed edge is proved to have an opposite one
-    closed = property(lambda self: self.proved and self.edges == 0)
+        self.count = int(parts["count"].sum())
+        self.closed = proved and int(parts["edges"].sum()) == 0
+        self.low, self.high = (find(parts[name].reshape(-1, 3), axis=0, initial=far) for name, find, far in
+                               (("low", np.min, np.inf), ("high", np.max, -np.inf)))  # fmt: skip
+        self.extent, self.spread = (parts[name].max(axis=0, initial=0.0) for name in ("extent", "spread"))
+        centroids = _added(parts["centroids"])
+        self.first = centroids[:, 3]
+        self.second = centroids[:, :3] + _added(parts["differences"]) / 24.0 + _added(parts["sums"]) / 72.0
+        self.closure, self.squares = 0.5 * _added(parts["closure"]), 0.25 * _added(parts["squares"])
+        self.total, self.area = float(_added(parts["total"])), 0.5 * float(_added(parts["area"]))
+        self._products, self._lengths = _added(parts["products"]), _added(parts["lengths"])
 
     def products(self) -> "Array":
         """Σ |eᵢ fⱼ| + |eⱼ fᵢ|, whose rounding is the error of n = e × f: the normal of a sliver is a small difference.
 
         The error of rotated edges is a rounding of themselves and of the grain, or of their length where that is less.
         """
-        exact = self._sum[PRODUCTS]
+        exact = np.array([self._products[k - 2, k - 1] + self._products[k - 1, k - 2] for k in range(3)])
         if not self.grain:
             return exact
-        squares = self._sum[EDGES].reshape(2, 3)
+        squares = self._lengths
         e, f = np.sqrt(squares)
         more, other = np.minimum(np.sqrt(self.count) * self.grain, np.sqrt(squares.sum(axis=1)))
         # Cauchy and Schwarz: Σ |eᵢ fⱼ| ≤ √(Σ eᵢ² Σ fⱼ²)
         turned = [more * (f[k - 1] + f[k - 2]) + other * (e[k - 1] + e[k - 2]) + 2.0 * more * other for k in range(3)]
         return exact + np.array(turned)  # type: ignore[no-any-return]
 
-    def add(self, part: "Any") -> None:
-        """Add the sums of a block with their rounding errors (compensated)."""
-        before, terms = self._sum, part["terms"]
-        after = before + terms
-        virtual = after - before
-        self._lost += (before - (after - virtual)) + (terms - virtual)
-        self._sum = after
-        self.count += int(part["count"])
-        np.minimum(self._low, part["low"], out=self._low)
-        np.maximum(self._high, part["high"], out=self._high)
-        np.maximum(self.extent, part["extent"], out=self.extent)
-        np.maximum(self.spread, part["spread"], out=self.spread)
-        self.edges = (self.edges + int(part["edges"])) % (1 << 64)
 
-    def finish(self) -> None:
-        """Add the compensation of the sums."""
-        self._sum = self._sum + self._lost
+def _added(parts: "Array") -> "Array":
+    """The sum of the blocks' sums, rounded once."""
+    columns = parts.reshape(len(parts), -1).T.tolist()
+    total: Array = np.array([fsum(column) for column in columns]).reshape(parts.shape[1:])
+    return total

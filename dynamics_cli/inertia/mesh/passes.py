@@ -19,7 +19,7 @@ from dynamics_cli.quantities import Ratio
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Callable, Iterable, Iterator, Sequence
+    from collections.abc import Callable, Iterator, Sequence
     from typing import Any
 
     from dynamics_cli.inertia.mesh.stl import Source
@@ -57,11 +57,9 @@ def first_pass(source: "Source", *, shell: bool, prove: bool) -> "tuple[Sums, Mo
 
         return block
 
-    sums = Sums(shell=shell, proved=prove)
-    for part in _in_order(source, prepare):
-        sums.add(part)
-    require(sums.count > 0, "there are no triangles", code="empty")
-    sums.finish()
+    parts = _in_order(source, prepare)
+    require(len(parts) > 0, "there are no triangles", code="empty")
+    sums = Sums(parts, shell=shell, proved=prove)
     middle = reference[:, 0]
     sums.extent = np.maximum(sums.high - middle, middle - sums.low)
     return sums, Moments(sums, middle)
@@ -89,14 +87,11 @@ def second_pass(source: "Source", before: Sums, moments: Moments, rows: "Array")
         return block
 
     frame = Frame(rows, reference, size, 0)
-    sums = Sums(shell=moments.shell, grain=frame.grain)
-    for part in _in_order(source, prepare):
-        sums.add(part)
-    sums.finish()
+    sums = Sums(_in_order(source, prepare), shell=moments.shell, grain=frame.grain)
     return Moments(sums, reference, frame, np.maximum(before.high - reference, reference - before.low))
 
 
-def _in_order(source: "Source", prepare: "Callable[[], Work]") -> "Iterable[Any]":
+def _in_order(source: "Source", prepare: "Callable[[], Work]") -> "Array":
     """Sums of the blocks of a source, in their order; `prepare` gives each process its working arrays."""
     spans = source.spans()
     processes = min(_cores(), len(spans))
@@ -104,7 +99,7 @@ def _in_order(source: "Source", prepare: "Callable[[], Work]") -> "Iterable[Any]
         parts = _side_by_side(spans, processes, prepare)
         if parts is not None:
             return parts
-    return _added(source, prepare(), Room(source.room))
+    return np.fromiter(_added(source, prepare(), Room(source.room)), PART)
 
 
 def _side_by_side(spans: "Sequence[Source]", processes: int, prepare: "Callable[[], Work]") -> "Array | None":

@@ -154,6 +154,8 @@ class Wide:
         coefficients = np.linalg.lstsq(own @ own.T, own @ known.T, rcond=None)[0].T
         self.fitted = (coefficients @ own).reshape(values.shape)
         shifts, count = WIDE
+        if space.affordable is not None:
+            count //= 8
         self.values = np.empty((results, shifts, count))
         for shift in range(shifts):
             far = quantile(lattice(n, count, 1, seed + 1 + shift))

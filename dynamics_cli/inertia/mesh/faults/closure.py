@@ -1,9 +1,9 @@
 """Proof that triangles form a closed surface, in constant memory: every directed edge must have an opposite one.
 
-Each vertex v gets a 64-bit number h(v) of the bits of its coordinates. The sum of h_u h_v (h_v − h_u) over the directed
-edges u → v vanishes, modulo 2⁶⁴, when the boundary of the triangles is empty, and otherwise with a probability of 2⁻⁴²
-at most: that of a boundary of three edges, whose sum is a product of three differences. The divergence theorem requires
-an empty boundary.
+Each vertex v gets a 64-bit number h(v) of the bits of its coordinates, whose upper half is g(v). The sum of
+h_u g_v − h_v g_u over the directed edges u → v vanishes, modulo 2⁶⁴, when the boundary of the triangles is empty, and
+otherwise with a probability of 2⁻⁵⁸ at most: that of a boundary of three edges, of a triangle in the plane of h and g
+whose area is zero. The divergence theorem requires an empty boundary.
 """
 
 import numpy as np
@@ -25,18 +25,19 @@ def edge_sum(corners: "Array", h: "Array", spare: "Array") -> int:
     The other arrays are room to work in, three rows of 64-bit numbers each.
     """
     vertex_hashes(corners, h, spare)
-    a, b, c = h
-    # over the edges of one triangle the sum is (a − b)(b − c)(c − a)
-    np.subtract(a, b, out=spare[0])
-    np.subtract(b, c, out=spare[1])
-    np.subtract(c, a, out=spare[2])
-    np.multiply(spare[0], spare[1], out=h[0])
-    np.multiply(h[0], spare[2], out=h[0])
-    return int(h[0].sum(dtype=np.uint64))
+    # over the edges of one triangle the sum is (h_c − h_b)(g_a − g_b) − (h_a − h_b)(g_c − g_b)
+    np.subtract(h[::2], h[1], out=h[::2])
+    np.subtract(spare[::2], spare[1], out=spare[::2])
+    np.multiply(h[::2], spare[::-2], out=h[::2])
+    np.subtract(h[2], h[0], out=h[0])
+    return int(np.add.reduce(h[0]))
 
 
 def vertex_hashes(corners: "Array", h: "Array", spare: "Array") -> None:
-    """Put the 64-bit numbers of corners, each of three rows of coordinates, into the rows of `h`."""
+    """Put the numbers of corners, each of three rows of coordinates, into the rows of `h`.
+
+    Their upper halves come into `spare`.
+    """
     x, y, z = (corners.view(np.uint64)[k::3] for k in range(3))
     np.multiply(x, _FIRST, out=h)
     _fold(h, spare)
