@@ -61,7 +61,7 @@ class TorsionalLine:
     first_frequency: Annotated[Frequency | None, "Lowest natural frequency above zero [Hz]."]
     second_frequency: Annotated[Frequency | None, "The next one [Hz]."]
     third_frequency: Annotated[Frequency | None, "The one after [Hz]."]
-    critical_speed: Annotated[ShaftSpeed | None, "The critical speed nearest to the range of running, else the lowest [rad/s]."]
+    critical_speed: Annotated[ShaftSpeed | None, "Critical speed nearest to the range of running, or lowest [rad/s]."]
     rotors: Annotated[Text, "The rotors in the order of the angles."]
     rigid_modes: Annotated[Count, "1 for a line that turns freely [-]."]
     modes: Annotated[tuple[TorsionMode, ...], "The modes from the lowest."]

@@ -106,7 +106,8 @@ def response(
     Raises
     ------
     InadmissibleError
-        Without damping when no frequency is given (peaks have no height) or at resonance, for names that are not there, singular masses, divergence.
+        Without damping when no frequency is given (peaks have no height) or at resonance, for names that are not
+        there, singular masses, divergence.
 
     References
     ----------
