@@ -10,6 +10,7 @@ from dynamics_cli.stability.counting import count, verdict
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
+    from typing import Any
 
 NEWTON = 4
 # A root of the polynomial of the ray is real if its imaginary part is below this share of it.
@@ -47,14 +48,14 @@ def designs(family: "Sequence[Sequence[int]]", zeta: float) -> "tuple[Design, ..
         for k, b in enumerate(q):
             across[j + k] += float(a) * float(b) * math.sin((j - k) * phi)
     across = np.trim_zeros(across)
-    rays = np.polynomial.Polynomial(across)
+    rays: Any = np.polynomial.Polynomial(across)
     slope = rays.deriv()
     turn = complex(-zeta, math.sin(phi))
     rows = []
-    for root in rays.roots():
+    for root in map(complex, rays.roots()):
         if root.real <= 0.0 or abs(root.imag) > REAL * abs(root):
             continue
-        omega = float(root.real)
+        omega = root.real
         for _ in range(NEWTON):
             omega -= float(rays(omega) / slope(omega)) if slope(omega) else 0.0
         s = omega * turn
