@@ -46,11 +46,13 @@ GAIN = Task(
     ),
     headline=(
         "stable: stable for", "verdict: at the gain given", ROOTS,
+        "designs: at the damping ratio given | gain=K, natural=ω₀, real, imaginary, verdict=there",
         "critical: critical gains | gain=K, frequency=ω, crossing=there",
     ),
     examples=(
         'dynamics stability gain "s(s+1)(s+2) + K"',
         'dynamics stability gain "s(s+4)(s+6)(s^2+1.4s+1) + K(s^2+2s+4)" --gain 20',
+        'dynamics stability gain "K(s+1.5)/(s(s+1)(s+10))" --damping-ratio 0.8',
     ),
     table="critical",
     arrays=False,

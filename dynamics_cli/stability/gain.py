@@ -18,9 +18,10 @@ from dynamics_cli.numerics.exact.whole_polynomials import (
     times,
     trimmed,
 )
-from dynamics_cli.quantities import AngularRate, Annotated, Count, Gain, Text
+from dynamics_cli.quantities import AngularRate, Annotated, Count, DampingRatio, Gain, Text
 from dynamics_cli.records import Advice, Numerics, record
 from dynamics_cli.stability.counting import ASYMPTOTIC, count, verdict
+from dynamics_cli.stability.design import Design, designs
 from dynamics_cli.stability.roots import LAST, METHOD, Root, bounds_of, discs, root_bounds, roots
 
 TYPE_CHECKING = False
@@ -74,6 +75,7 @@ class GainAnswer:
     critical: Annotated[tuple[Critical, ...] | None, "Gains at which roots cross the axis."]
     verdict: Annotated[Text | None, "Verdict at the gain that was given."]
     roots: Annotated[tuple[Root, ...] | None, "Roots at the gain that was given; of a pair the upper one."]
+    designs: Annotated[tuple[Design, ...] | None, "Gains at which a pair of roots has the damping ratio given."]
     numerics: Numerics
     advice: tuple[Advice, ...] = ()
 
@@ -83,6 +85,7 @@ def gain(
     /,
     *,
     gain: Annotated[Gain | None, "A gain to judge, e.g. 2.5."] = None,
+    damping_ratio: Annotated[DampingRatio | None, "Damping ratio that a pair of roots shall have, e.g. 0.5."] = None,
 ) -> GainAnswer:
     """The gains K for which all roots of a characteristic polynomial lie in the left half plane.
 
@@ -126,6 +129,7 @@ def gain(
         critical=described or None,
         verdict=None if at is None else verdict(count(at)) if len(at) > 1 else "no roots at this gain",
         roots=found,
+        designs=None if damping_ratio is None else designs(family, damping_ratio),
         numerics=Numerics(
             METHOD,
             (

@@ -47,7 +47,7 @@ au | astronomical_unit | au astronomical_unit astronomical_units | | astronomica
 100km | 100 * kilometer | 100km | | hundred kilometres, as in L/100km
 100mi | 100 * mile | 100mi | | hundred miles, as in gal/100mi
 thou | thou | thou thous | | thousandth of an inch
-mil | thou | mil mils | | thousandth of an inch; the angle of that name is 0.05625 deg
+mil | thou | mil mils | | thousandth of an inch
 \u00b5in | 1e-6 * inch | \u00b5in \u03bcin uin microinch microinches | | millionth of an inch
 micron | 1e-6 * meter | micron microns | | micrometre
 \u00c5 | 1e-10 * meter | \u00c5 \u212b angstrom angstroms | | ångström

@@ -3,6 +3,7 @@
 import shlex
 from pathlib import Path
 
+import numpy as np
 import pytest
 from harness import answer, run
 
@@ -19,6 +20,9 @@ REFUSED = {
     "no gain": ('gain "s^2 + s + 1"', "no-gain"),
     "two gains": ('gain "s^2 + Ks + L"', "polynomial"),
     "pairs at every gain": ('gain "s^2 + K"', "symmetric"),
+    "no pair": ('gain "s(s+1)(s+2) + K" --damping-ratio 1.5', "damping-ratio"),
+    "no such pair": ('gain "s + 1 + K" --damping-ratio 0.5', "no-design"),
+    "squared gain": ('gain "s^2 + s + K^2" --damping-ratio 0.5', "gain-degree"),
     "degree of gains": ('gain "s^17 + K"', "degree"),
     "leading range": ('interval "-1..1, 2"', "degree"),
     "words": ('interval "1, two"', "polynomial"),
@@ -192,3 +196,23 @@ def test_coefficients_as_other_programs_write_them() -> None:
     wanted = answer("stability", "interval", "1, 2..3, 3..4, 1..7")["results"]
     for typed in ("[1, [2, 3], 3.5 ± 0.5, [1, 7]]", "1, 2.5 +/- 0.5, 3..4, [1,7]"):
         assert answer("stability", "interval", typed)["results"] == wanted
+
+
+@pytest.mark.parametrize("zeta", [0.1, 0.5, 0.8])
+@pytest.mark.parametrize(
+    ("typed", "open_loop", "zeros"),
+    [("s(s+1)(s+2) + K", [1, 3, 2, 0], [1]), ("K(s+1.5)/(s(s+1)(s+10))", [1, 11, 10, 0], [1, 1.5])],
+)
+def test_gains_for_a_damping_ratio_put_a_pair_there(
+    typed: str, open_loop: list[float], zeros: list[float], zeta: float
+) -> None:
+    rows = answer("stability", "gain", typed, "--damping-ratio", str(zeta))["results"]["designs"]
+    assert rows
+    for row in rows:
+        whole = np.polyadd(open_loop, row["gain"]["value"] * np.array(zeros))
+        pairs = [root for root in np.roots(whole) if root.imag > 0.0]
+        pair = min(pairs, key=lambda root: abs(-root.real / abs(root) - zeta))
+        assert -pair.real / abs(pair) == pytest.approx(zeta, rel=1e-9)
+        assert abs(pair) == pytest.approx(row["natural"]["value"], rel=1e-9)
+        stable = all(root.real < 0.0 for root in np.roots(whole))
+        assert (row["verdict"] == "asymptotically stable") == stable

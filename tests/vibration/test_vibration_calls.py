@@ -260,3 +260,13 @@ def test_a_critical_speed_alone_needs_no_speed() -> None:
     stiffness = 48.0 * 210e9 * math.pi / 64.0 * 0.025**4 / 0.6**3
     assert made["critical_speed"]["value"] == pytest.approx(math.sqrt(stiffness / 10.0) * 30.0 / math.pi)
     assert "amplitude" not in made
+
+
+def test_a_vehicle_over_waves_is_shaken_once_a_wavelength() -> None:
+    """Of 20 km/h over 6 m, r = 2π·(20/3.6)/6/√(k/m)."""
+    vehicle = '--mass "1200 kg" --stiffness "400 kN/m" --damping-ratio 0.5 --base-amplitude "50 mm"'
+    words = shlex.split(f'base {vehicle} --road-speed "20 km/h" --wavelength "6 m"')
+    results = answer("vibration", *words)["results"]
+    r = 2.0 * math.pi * 20.0 / 3.6 / 6.0 / math.sqrt(4e5 / 1200.0)
+    shaken = 50.0 * math.sqrt((1.0 + r * r) / ((1.0 - r * r) ** 2 + r * r))
+    assert results["amplitude"]["value"] == pytest.approx(shaken)

@@ -92,8 +92,10 @@ class OfAnyKind(VectorValue):
         return self._inner.leaves()
 
     def echo(self) -> "Any":
-        """As written."""
-        return self._inner.echo()
+        """As written; an amplitude alone as a number."""
+        echo = self._inner.echo()
+        lone = len(self.si) == 1 and echo.keys() <= {"value", "unit"}
+        return echo | {"value": echo["value"][0]} if lone else echo
 
 
 class DirectedVector(VectorValue):

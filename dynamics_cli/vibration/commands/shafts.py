@@ -17,7 +17,8 @@ SHAFT = Task(
         method="one-sided Jacobi on the factor",
     ),
     headline=(
-        "rotors", "rigid_modes: rigid modes", "modes_below: modes below",
+        "first_frequency: natural frequency f₁", "critical_speed: critical speed", "rotors",
+        "modes_below: modes below",
         "modes: modes | number=mode, frequency, nodes, damping_ratio=ζ, twisted=most twisted, angles",
         "criticals: critical speeds | speed, order, mode, frequency, place=running",
     ),

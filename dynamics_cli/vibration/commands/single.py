@@ -74,6 +74,8 @@ BASE = Task(
         'dynamics vibration base --natural-frequency "6 Hz" --damping-ratio 0.1 --base-amplitude "0.2 mm" '
         '--frequency "25 Hz"',
         'dynamics vibration base --static-deflection "4 mm" --base-acceleration "0.5 g" --frequency "30 Hz"',
+        'dynamics vibration base --mass "1200 kg" --stiffness "400 kN/m" --damping-ratio 0.5 --base-amplitude "50 mm" '
+        '--road-speed "20 km/h" --wavelength "6 m"',
     ),
     plot=f"{PICTURES}:base",
 )  # fmt: skip

@@ -18,7 +18,9 @@ MODES = Task(
         method="one-sided Jacobi, symmetric or complex eigenvalues",
     ),
     headline=(
-        "kind: damping", "rigid_modes: rigid modes", "coordinates",
+        "first_frequency: natural frequency f₁", "second_frequency: natural frequency f₂",
+        "third_frequency: natural frequency f₃", "first_damping_ratio: damping ratio ζ₁", "kind: damping",
+        "rigid_modes: rigid modes", "coordinates",
         "modes: modes | number=mode, frequency, damping_ratio=ζ, effective_share=effective mass, shape, "
         "phases=lead in deg",
     ),
@@ -49,6 +51,7 @@ RESPONSE = Task(
     headline=(
         "amplitude: amplitude", "lag: lag behind the force", "receptance",
         "motions: at this frequency | name=coordinate, amplitude, velocity, lag",
+        "peak: highest peak", "peak_frequency: its frequency",
         "peaks: peaks | frequency, amplitude, receptance, lag",
     ),
     examples=(

@@ -166,7 +166,7 @@ def rotor(
     rates = [rate for rate, _ in unbalance]
     nearest = min(rates, key=lambda rate: abs(rate - abs(speed or 0.0)), default=None)
     margin = abs(speed) / nearest if speed and nearest else None
-    numbers = {
+    numbers: dict[str, Any] = {
         "critical_speed": rates[0] if rates else None,
         "second_critical_speed": rates[1] if len(rates) > 1 else None,
         "margin": margin,
@@ -176,21 +176,12 @@ def rotor(
         cost(0.0, COST, 1)
         return RotorCriticals(**numbers, criticals=(), whirls=None, campbell=(), shapes=(), numerics=Numerics(""))
     check = critical_rates(held(ELEMENTS // 2).free()[:3], 1.0, 1.0, MODES)
-    criticals = tuple(
-        WhirlCritical(rate / order, order, way, number, rate / (2.0 * math.pi))
-        for order in orders
-        for way, sign in ((FORWARD, 1.0), (BACKWARD, -1.0))
-        for number, (rate, _) in enumerate(critical_rates(matrices, order, sign, MODES), 1)
-    )
-    top = highest_speed or 1.5 * (rates[:2] or [max(row.speed for row in criticals)])[-1]
+    criticals = _criticals(matrices, orders)
+    top = highest_speed or 1.5 * (rates[:2] or [criticals[-1].speed])[-1]
     return RotorCriticals(
         **numbers,
-        criticals=tuple(sorted(criticals, key=lambda row: row.speed)),
-        whirls=None
-        if speed is None
-        else tuple(
-            RotorWhirl(n, *pair) for n, pair in enumerate(zip(*_frequencies(matrices, abs(speed)), strict=False), 1)
-        ),
+        criticals=criticals,
+        whirls=None if speed is None else _whirls(matrices, abs(speed)),
         campbell=tuple(
             RotorAtSpeed(top * k / DIAGRAM_STEPS, *_frequencies(matrices, top * k / DIAGRAM_STEPS))
             for k in range(DIAGRAM_STEPS + 1)
@@ -199,6 +190,21 @@ def rotor(
         numerics=Numerics(_method(unbalance, check, rounding)),
         advice=_advice(margin),
     )
+
+
+def _criticals(matrices: "Sequence[Any]", orders: "Sequence[float]") -> "tuple[WhirlCritical, ...]":
+    """Where the orders meet whirls, by speed."""
+    criticals = [
+        WhirlCritical(rate / order, order, way, number, rate / (2.0 * math.pi))
+        for order in orders
+        for way, sign in ((FORWARD, 1.0), (BACKWARD, -1.0))
+        for number, (rate, _) in enumerate(critical_rates(matrices, order, sign, MODES), 1)
+    ]
+    return tuple(sorted(criticals, key=lambda row: row.speed))
+
+
+def _whirls(matrices: "Sequence[Any]", speed: float) -> "tuple[RotorWhirl, ...]":
+    return tuple(RotorWhirl(n, *pair) for n, pair in enumerate(zip(*_frequencies(matrices, speed), strict=False), 1))
 
 
 def _method(fine: "list[tuple[float, Any]]", coarse: "list[tuple[float, Any]]", rounding: float) -> str:

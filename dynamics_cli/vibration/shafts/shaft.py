@@ -58,6 +58,10 @@ class Critical:
 class TorsionalLine:
     """Torsional vibration of a shaft line."""
 
+    first_frequency: Annotated[Frequency | None, "Lowest natural frequency above zero [Hz]."]
+    second_frequency: Annotated[Frequency | None, "The next one [Hz]."]
+    third_frequency: Annotated[Frequency | None, "The one after [Hz]."]
+    critical_speed: Annotated[ShaftSpeed | None, "Critical speed nearest to the range of running, or lowest [rad/s]."]
     rotors: Annotated[Text, "The rotors in the order of the angles."]
     rigid_modes: Annotated[Count, "1 for a line that turns freely [-]."]
     modes: Annotated[tuple[TorsionMode, ...], "The modes from the lowest."]
@@ -124,6 +128,10 @@ def shaft(
     return TorsionalLine(
         rotors=", ".join(line.names),
         rigid_modes=rigid,
+        first_frequency=rows[0].frequency if rows else None,
+        second_frequency=rows[1].frequency if len(rows) > 1 else None,
+        third_frequency=rows[2].frequency if len(rows) > 2 else None,
+        critical_speed=_nearest([one.speed for one in criticals or ()], low, high),
         modes=tuple(rows),
         criticals=criticals,
         modes_below=None if below is None else sum(row.frequency < below for row in rows),
@@ -182,6 +190,12 @@ def _criticals(
             place = "" if low is None and high is None else "in range" if inside else "near" if near else "off"
             made.append(Critical(speed, order, row.number, row.frequency, place))
     return tuple(sorted(made, key=lambda one: one.speed))
+
+
+def _nearest(speeds: "list[float]", low: "float | None", high: "float | None") -> "float | None":
+    """The speed nearest to the range of running, of several within it the lowest."""
+    low, high = low or 0.0, math.inf if high is None else high
+    return min(speeds, key=lambda speed: max(low / speed, speed / high, 1.0), default=None)
 
 
 def _checks(elements: "Elements", omega: "Any", shapes: "Any") -> "tuple[Check, ...]":

@@ -32,6 +32,7 @@ from dynamics_cli.vibration.single.oscillator import (
     Drive,
     Natural,
     Oscillator,
+    OverWaves,
     Sag,
     Spring,
 )
@@ -86,12 +87,17 @@ class BaseVibration:
     advice: tuple[Advice, ...] = ()
 
 
-def transmitted(gap: "Any", ratio: "Any", zeta: "Any") -> "tuple[Any, Any, Any]":
-    """T = √(1 + (2ζr)²)·H with the lag of the mass behind the base, and H."""
-    size, _ = magnification(gap, ratio, zeta)
+def transmitted(gap: "Any", ratio: "Any", zeta: "Any") -> "tuple[Any, Any]":
+    """T = √(1 + (2ζr)²)·H, and H."""
     across = 2.0 * zeta * ratio
-    lag = atan2(across * ratio * ratio, gap + across * across)
-    return size * hypot(1.0, across), lag, size
+    size = 1.0 / hypot(gap, across)
+    return size * hypot(1.0, across), size
+
+
+def behind(gap: "Any", ratio: "Any", zeta: "Any") -> "Any":
+    """The lag of the mass behind the base."""
+    across = 2.0 * zeta * ratio
+    return atan2(across * ratio * ratio, gap + across * across)
 
 
 def base(
@@ -100,7 +106,9 @@ def base(
     spring: Annotated[Spring | Natural | Sag, "The spring."],
     damping: Annotated[Damper | DampingShare | None, "The damping; none when left out."] = None,
     motion: Annotated[Shaking | BaseAcceleration, "How the base shakes."],
-    excitation: Annotated[AtFrequency | AtSpeed | AtRatio | AtDetuning, "How fast the base shakes."],
+    excitation: Annotated[
+        AtFrequency | AtSpeed | OverWaves | AtRatio | AtDetuning, "How fast the base shakes, or a vehicle over waves."
+    ],
     gravity: Annotated[SagGravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> BaseVibration:
     """Vibration of a mass whose base shakes: absolute and relative motion, transmissibility, isolation.
@@ -133,21 +141,19 @@ def base(
     drive = Drive(excitation, system)
     drive.require_steady(system)
     shaking = motion.over(drive.omega)
-    passed, lag, size = transmitted(drive.gap, drive.ratio, system.zeta)
+    passed, size = transmitted(drive.gap, drive.ratio, system.zeta)
     relative = drive.ratio * drive.ratio * size
     place = height = None
     if system.zeta > 0.0:
         eight = sqrt(1.0 + 8.0 * system.zeta * system.zeta)
         square = 2.0 / (1.0 + eight)
         place = sqrt(square)
-        height, _, _ = transmitted(
-            8.0 * system.zeta * system.zeta / ((eight + 1.0) * (eight + 1.0)), place, system.zeta
-        )
+        height, _ = transmitted(8.0 * system.zeta * system.zeta / ((eight + 1.0) * (eight + 1.0)), place, system.zeta)
     return BaseVibration(
         transmissibility=passed,
         amplitude=passed * shaking,
         acceleration=passed * shaking * drive.omega * drive.omega,
-        phase=lag,
+        phase=behind(drive.gap, drive.ratio, system.zeta),
         relative_amplitude=relative * shaking,
         relative_ratio=relative,
         isolation=1.0 - passed if passed < 1.0 else None,
@@ -232,7 +238,7 @@ def unbalance(
     drive = Drive(excitation, system)
     eccentric = unbalance / mass
     drive.require_steady(system, growth=(0.5 * system.turn * eccentric, Size))
-    passed, _, size = transmitted(drive.gap, drive.ratio, system.zeta)
+    passed, size = transmitted(drive.gap, drive.ratio, system.zeta)
     _, lag = magnification(drive.gap, drive.ratio, system.zeta)
     response = drive.ratio * drive.ratio * size
     whirling = unbalance * drive.omega * drive.omega

@@ -119,7 +119,7 @@ def isolator(
         damping_ratio + absolute(gap) > 0.0, "these mounts are in resonance, undamped", code="resonance",
         hint="use softer mounts",
     )  # fmt: skip
-    passed, _, _ = transmitted(gap, ratio, damping_ratio)
+    passed, _ = transmitted(gap, ratio, damping_ratio)
     stiffness = None if mass is None else mass * turn * natural * turn * natural
     return Isolator(
         natural_frequency=natural,

@@ -6,7 +6,9 @@ from dynamics_cli.quantities import (
     Annotated,
     DampingRatio,
     Frequency,
+    Length,
     Ratio,
+    RoadSpeed,
     ShaftSpeed,
     Size,
     SpringRate,
@@ -83,6 +85,20 @@ class AtDetuning:
     """Excitation by its distance from resonance."""
 
     detuning: Annotated[Ratio, "Frequency over natural frequency, less one, e.g. 1e-6."]
+
+
+@record
+class OverWaves:
+    """A vehicle over a wavy road."""
+
+    road_speed: Annotated[RoadSpeed, "Speed of a vehicle over a wavy road, e.g. 60 km/h."]
+    wavelength: Annotated[Length, "From crest to crest, e.g. 6 m."]
+
+    @property
+    def frequency(self) -> "Any":
+        """Crests in a second."""
+        require(self.wavelength > 0.0, "the wavelength is zero", code="no-length", hint="for example 6 m")
+        return self.road_speed / self.wavelength
 
 
 class Oscillator:
@@ -190,7 +206,7 @@ class Drive:
         elif isinstance(excitation, AtRatio):
             self.ratio = excitation.frequency_ratio
             self.gap = (1.0 - self.ratio) * (1.0 + self.ratio)
-        elif isinstance(excitation, AtFrequency):
+        elif isinstance(excitation, AtFrequency | OverWaves):
             hertz = excitation.frequency
             self.ratio = hertz / system.hertz
             self.gap = (system.hertz - hertz) * (system.hertz + hertz) / (system.hertz * system.hertz)

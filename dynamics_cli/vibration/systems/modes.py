@@ -16,11 +16,13 @@ from dynamics_cli.quantities import (
     Text,
 )
 from dynamics_cli.records import Advice, Check, Choice, ErrorBound, Numerics, record
+from dynamics_cli.sampling import cost, drawing
 from dynamics_cli.vibration.single.oscillator import require_damping
 from dynamics_cli.vibration.systems.inputs import Bodies, Line, Matrices, MatrixFiles, System
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Sequence
     from typing import Any
 
 # Frequencies nearer than this share are one: any combination of their shapes is a shape too.
@@ -30,6 +32,8 @@ LOST = 0.01
 ORTHOGONAL = 1e-9
 # Parts of a shape below the first share of its largest are rounding; a first part below the second sets no scale.
 NOISE, ABSENT = 1e-15, 1e-12
+# Frequencies that stand by themselves; seconds of a sample of uncertain inputs, at least, and a pair of coordinates.
+LISTED, ONCE, EACH = 3, 2e-4, 1e-6
 # Matrices of more coordinates are not listed.
 MOST_LISTED = 12
 
@@ -63,6 +67,10 @@ class Mode:
 class Modes:
     """The modes of a system."""
 
+    first_frequency: Annotated[Frequency | None, "Lowest natural frequency above zero [Hz]."]
+    second_frequency: Annotated[Frequency | None, "The next one [Hz]."]
+    third_frequency: Annotated[Frequency | None, "The one after [Hz]."]
+    first_damping_ratio: Annotated[DampingRatio | None, "Damping ratio of the first of them [-]."]
     coordinates: Annotated[Text, "The coordinates in the order of the shapes."]
     rigid_modes: Annotated[Count | None, "Modes of frequency zero, counted from the connections [-]."]
     kind: Annotated[Text, "undamped, proportionally damped, or complex."]
@@ -123,6 +131,10 @@ def modes(
         if not proportional(mass, damping, stiffness):
             return _complex(model, mass, damping, stiffness, scale)
     omega, shapes, errors, numerics = undamped(model)
+    if drawing():
+        cost(0.0, ONCE + EACH * len(omega) ** 2, 1)
+        few = int((omega == 0.0).sum()) + LISTED
+        omega, shapes, errors = omega[:few], shapes[:few], errors[:few]
     zetas = None if damping_ratio is None else [damping_ratio] * len(omega)
     if damping is not None:
         zetas = (((shapes @ damping) * shapes).sum(axis=1) / (2.0 * (omega + (omega == 0.0)))).tolist()
@@ -135,13 +147,22 @@ def modes(
         coordinates=", ".join(model.names),
         rigid_modes=None if model.elements is None else int((omega == 0.0).sum()),
         kind="undamped" if zetas is None else "proportionally damped",
+        **_lowest(rows),
         total_mass=total,
         modes=rows,
         **_matrices(mass, damping, stiffness),
         numerics=numerics,
-        checks=_checks(model, mass, omega, shapes, rows),
+        checks=() if drawing() else _checks(model, mass, omega, shapes, rows),
         advice=(*model.advice, *_advice(omega.tolist(), errors.tolist())),
     )
+
+
+def _lowest(rows: "Sequence[Mode]") -> "dict[str, Any]":
+    """The lowest frequencies above zero by themselves, for limits, sweeps and uncertain inputs."""
+    moving = [row for row in rows if row.frequency != 0.0]
+    names = ("first_frequency", "second_frequency", "third_frequency")
+    lowest: dict[str, Any] = dict(zip(names, [*(row.frequency for row in moving), None, None, None], strict=False))
+    return lowest | {"first_damping_ratio": moving[0].damping_ratio if moving else None}
 
 
 def _matrices(mass: "Any", damping: "Any", stiffness: "Any") -> "dict[str, Any]":
@@ -248,7 +269,7 @@ def _complex(model: System, mass: "Any", damping: "Any", stiffness: "Any", scale
     rigid = None if model.elements is None else sum(not held for _, held in model.elements.groups())
     off = max((_residual(mass, damping, stiffness, *pair) for pair in zip(values, shapes, strict=True)), default=0.0)
     return Modes(
-        coordinates=", ".join(model.names), rigid_modes=rigid, kind="complex",
+        coordinates=", ".join(model.names), rigid_modes=rigid, kind="complex", **_lowest(rows),
         total_mass=None if model.elements is None else math.fsum(model.elements.masses), modes=tuple(rows),
         **_matrices(mass, damping, stiffness),
         numerics=Numerics("eigenvalues of the state matrix; the residual of each mode is checked"),

@@ -28,6 +28,9 @@ if TYPE_CHECKING:
 # Frequencies of the curve about each resonance, and between lowest and highest.
 NEAR, GRID = 60, 400
 RECIPROCAL = 1e-9
+# A frequency this near to that of an undamped mode is in resonance.
+AT_RESONANCE = 1e-9
+UNDAMPED = "without damping, amplitudes are those of the steady motion; peaks have no height"
 
 
 @record
@@ -58,7 +61,9 @@ class Response:
     lag: Annotated[Angle | None, "By how much it lags the force [rad]."]
     receptance: Annotated[Receptance | None, "Amplitude over force [m/N]."]
     motions: Annotated[tuple[Motion, ...] | None, "All coordinates at the frequency given."]
-    peaks: Annotated[tuple[Peak, ...], "Peaks of the coordinate read, from the lowest frequency."]
+    peak: Annotated[Size | None, "Largest amplitude of the coordinate read over all frequencies [m]."]
+    peak_frequency: Annotated[Frequency | None, "Frequency of that peak [Hz]."]
+    peaks: Annotated[tuple[Peak, ...] | None, "Peaks of the coordinate read, from the lowest frequency."]
     checks: tuple[Check, ...] = ()
     advice: tuple[Advice, ...] = ()
 
@@ -101,7 +106,8 @@ def response(
     Raises
     ------
     InadmissibleError
-        Without damping (the peaks have no height), for names that are not there, singular masses, divergence.
+        Without damping when no frequency is given (peaks have no height) or at resonance, for names that are not
+        there, singular masses, divergence.
 
     References
     ----------
@@ -117,11 +123,12 @@ def response(
 
     model = System(system)
     modal = Modal(model, damping_ratio)
+    damped = bool((modal.zeta > 0.0)[modal.omega > 0.0].all())
     require(
-        bool((modal.zeta > 0.0)[modal.omega > 0.0].all()),
+        damped or excitation is not None,
         "a mode has no damping: its peak has no height",
         code="undamped",
-        hint="give --damping-ratio, for example 0.01, or dampers; frequencies alone: dynamics vibration modes",
+        hint="give --damping-ratio, for example 0.01, or dampers; or the --frequency at which amplitudes are wanted",
     )
     a, b = (model.moving(name) for name in (force_at, read_at))
     weights = modal.shapes[:, a]
@@ -130,6 +137,14 @@ def response(
     if excitation is not None:
         rate = 2.0 * math.pi * excitation.frequency if isinstance(excitation, AtFrequency) else abs(excitation.speed)
         require(rate > 0.0, "the frequency is zero: nothing vibrates", code="at-rest")
+        still = modal.omega[modal.zeta == 0.0]
+        require(
+            not (abs(still - rate) <= AT_RESONANCE * rate).any(),
+            "at {frequency} a mode without damping is in resonance: its amplitude grows without limit",
+            frequency=(rate / (2.0 * math.pi), Frequency),
+            code="resonance",
+            hint="give --damping-ratio, for example 0.01, or dampers",
+        )
         column = modal.column(rate, weights)
         ahead, back = complex(column[b]), complex(modal.column(rate, modal.shapes[:, b])[a])
         largest = float(abs(column).max())
@@ -137,14 +152,18 @@ def response(
     size = None if excitation is None else abs(ahead)
     off = abs(ahead - back) / max(abs(ahead), 1e-300) if excitation is not None else 0.0
     lost = RECIPROCAL * (1.0 if size is None else max(1.0, largest / max(size, 1e-300)))
+    peaks = _peaks(modal, weights, b, abs(force)) if damped else ()
+    highest_peak = max(peaks, key=lambda peak: peak.amplitude, default=None)
     return Response(
         amplitude=None if size is None else size * abs(force),
         lag=None if size is None else _lag(ahead),
         receptance=size,
         motions=motions,
-        peaks=_peaks(modal, weights, b, abs(force)),
+        peak=None if highest_peak is None else highest_peak.amplitude,
+        peak_frequency=None if highest_peak is None else highest_peak.frequency,
+        peaks=peaks or None,
         checks=(Check("reciprocity", off <= lost, off, lost),) if excitation is not None else (),
-        advice=tuple(model.advice),
+        advice=(*model.advice, *(() if damped else (Advice("undamped", UNDAMPED, severity="note"),))),
     )
 
 
