@@ -116,7 +116,7 @@ def _poses(shapes: Shapes, states: "list[Any]", scene: Scene, last: str) -> Pane
 def scene_picture(
     made: "Any", scene: Scene, *, duration: float, follow: str = "", gravity: float = STANDARD_GRAVITY, **_: "Any"
 ) -> Picture:
-    """Poses with the paths of points, angles over time or what is followed, the forces in the joints, and the errors."""
+    """Poses with the paths of points, angles over time or what is followed, forces in the joints, and errors."""
     from dynamics_cli.motion.scenes.runs import runs_of
     from dynamics_cli.motion.scenes.states import followed
 
