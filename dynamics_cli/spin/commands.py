@@ -48,10 +48,11 @@ FREE = Task(
         "least_nutation: least nutation", "greatest_nutation: greatest nutation",
         "least_precession: least precession", "greatest_precession: greatest precession",
         "growth: growth about the middle axis", "angular_momentum", "energy",
+        "principal_moments", "axes: principal axes",
     ),
     examples=(
         'dynamics spin free --moments "1, 2, 3 kg*m^2" --angular-velocity "0.2, 1, 0.5 rad/s"',
-        'dynamics spin free --moments "1, 2, 3 kg*m^2" --angular-velocity "1e-6, 1, 0 rad/s"',
+        'dynamics spin free --tensor "2, -0.5, 0; -0.5, 2, 0; 0, 0, 3 kg*m^2" --angular-velocity "0.2, 1, 0.5 rad/s"',
     ),
     plot=f"{PICTURES}:free",
     arrays=False,

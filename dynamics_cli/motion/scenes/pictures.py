@@ -179,7 +179,7 @@ def _forces(
 
 def _errors(runs: "Runs") -> "tuple[Curve, ...]":
     """The largest errors so far: what two tolerances differ by, and energy less work."""
-    curves = []
+    curves: list[Curve] = []
     for values, label in ((runs.parted, "two tolerances, share of its size"), (runs.energy_errors(), "energy, share")):
         largest = list(accumulate((max(value, DUST) for _, value in values), max))
         curves.append(Curve([t for t, _ in values], largest, label, role=len(curves)))
