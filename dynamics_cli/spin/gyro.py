@@ -9,6 +9,7 @@ from dynamics_cli.quantities import (
     Annotated,
     Force,
     Inertia,
+    Mass,
     Ratio,
     ShaftSpeed,
     Size,
@@ -26,6 +27,46 @@ ROUNDING = 1.0 + 1e-12
 
 
 @record
+class Moments:
+    """A rotor by its moments of inertia."""
+
+    axial: Annotated[Inertia, "Moment of inertia about the spin axis, e.g. 0.03 kg*m^2."]
+    transverse: Annotated[
+        Inertia | None, "Moment of inertia across the spin axis; not needed at 90 deg, e.g. 0.02 kg*m^2."
+    ] = None
+
+    def pair(self) -> "tuple[float, float | None]":
+        """About the spin axis and across it."""
+        return self.axial, self.transverse
+
+
+@record
+class Gyration:
+    """A rotor by its mass and radius of gyration."""
+
+    mass: Annotated[Mass, "Mass of the rotor, e.g. 5 kg."]
+    gyration: Annotated[Size, "Radius of gyration about the spin axis, e.g. 90 mm."]
+    transverse: Annotated[Inertia | None, "Moment of inertia across the spin axis; not needed at 90 deg."] = None
+
+    def pair(self) -> "tuple[float, float | None]":
+        """About the spin axis and across it."""
+        return self.mass * self.gyration * self.gyration, self.transverse
+
+
+@record
+class Disk:
+    """A rotor that is a thin uniform disk."""
+
+    mass: Annotated[Mass, "Mass of the rotor, e.g. 5 kg."]
+    radius: Annotated[Size, "Radius of a uniform disk, e.g. 100 mm."]
+
+    def pair(self) -> "tuple[float, float | None]":
+        """About the spin axis and across it."""
+        quarter = 0.25 * self.mass * self.radius * self.radius
+        return 2.0 * quarter, quarter
+
+
+@record
 class Gyro:
     """What a rotor whose axis turns asks of its bearings."""
 
@@ -39,10 +80,7 @@ class Gyro:
 
 def gyro(
     *,
-    axial: Annotated[Inertia, "Moment of inertia about the spin axis, e.g. 0.03 kg*m^2."],
-    transverse: Annotated[
-        Inertia | None, "Moment of inertia across the spin axis; not needed at 90 deg, e.g. 0.02 kg*m^2."
-    ] = None,
+    rotor: Annotated[Moments | Gyration | Disk, "The rotor."],
     spin: Annotated[ShaftSpeed, "Speed of the rotor in its frame, e.g. 3000 rpm."],
     precession: Annotated[TurnRate, "Angular velocity of the frame, e.g. 2 rad/s."],
     angle: Annotated[Angle, "Between spin axis and precession axis, e.g. 60 deg."] = QUARTER,
@@ -71,11 +109,12 @@ def gyro(
 
     Examples
     --------
-    >>> given = {"axial": 0.03, "transverse": 0.02, "spin": 314.1592653589793, "precession": 2.0}
+    >>> given = {"rotor": Moments(0.03, 0.02), "spin": 314.1592653589793, "precession": 2.0}
     >>> round(gyro(**given, angle=1.0471975511965976).torque, 9)
     16.341514786
     """
     sine, cosine = sin(angle), cos(angle)
+    axial, transverse = rotor.pair()
     require(transverse is not None or abs(plain(cosine)) < RIGHT, "at {angle} the moment of inertia across the spin "
             "axis counts", angle=(angle, Angle), code="missing", hint="give --transverse")  # fmt: skip
     check_body(axial, axial if transverse is None else transverse)

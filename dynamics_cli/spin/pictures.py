@@ -192,8 +192,7 @@ def _sphere(path: "list[tuple[float, float]]", circles: "list[tuple[float, Any]]
 def gyro(
     made: "Any",
     *,
-    axial: float,
-    transverse: "float | None" = None,
+    rotor: "Any",
     spin: float,
     precession: float,
     angle: float = QUARTER,
@@ -201,6 +200,7 @@ def gyro(
 ) -> Picture:
     """The angular momentum beside the axes, and the torque over the angle between them."""
     sine, cosine = math.sin(angle), math.cos(angle)
+    axial, transverse = rotor.pair()
     along = axial * (spin + precession * cosine)
     across = (transverse or 0.0) * precession * sine
     size = math.hypot(along, across) or 1.0

@@ -1,5 +1,6 @@
 """Calls of `dynamics spin`: refusals, pictures."""
 
+import math
 import shlex
 from pathlib import Path
 
@@ -122,3 +123,10 @@ def test_a_tensor_counts_in_the_sensitivities() -> None:
     expected = abs(high - low) / (2.0 * step * document["results"]["period"]["value"])
     condition = document["numerics"]["condition"]["period"]
     assert abs(condition["tensor[1][1]"]) == pytest.approx(expected, rel=1e-6)
+
+
+def test_a_rotor_by_mass_and_radius() -> None:
+    turns = '--spin "10000 rpm" --precession "2 rad/s"'
+    for rotor, moment in (('--radius "100 mm"', 0.025), ('--gyration "90 mm"', 0.0405)):
+        results = answer(*shlex.split(f'spin gyro --mass "5 kg" {rotor} {turns}'))["results"]
+        assert results["torque"]["value"] == pytest.approx(moment * 2.0 * 10000.0 * math.pi / 30.0, rel=1e-14)
