@@ -49,7 +49,7 @@ FREE = Task(
         "least_nutation: least nutation", "greatest_nutation: greatest nutation",
         "least_precession: least precession", "greatest_precession: greatest precession",
         "growth: growth about the middle axis", "angular_momentum", "energy",
-        "principal_moments", "axes: principal axes",
+        "principal_moments", "axes[0]: principal axis 1", "axes[1]: principal axis 2", "axes[2]: principal axis 3",
     ),
     examples=(
         'dynamics spin free --moments "1, 2, 3 kg*m^2" --angular-velocity "0.2, 1, 0.5 rad/s"',

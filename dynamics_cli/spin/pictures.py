@@ -8,6 +8,7 @@ from dynamics_cli.pictures import Arrow, Axis, Band, Curve, Label, Mark, Panel, 
 from dynamics_cli.quantities import STANDARD_GRAVITY, Angle, GrowthRate, Length, ShaftSpeed, Time, Torque, TurnRate
 from dynamics_cli.spin.disk import DISK, growth_factor
 from dynamics_cli.spin.free import NAMES, NUMBERS, extremes, moduli
+from dynamics_cli.spin.gyro import moments_of
 from dynamics_cli.spin.principal import along_axes
 
 TYPE_CHECKING = False
@@ -192,7 +193,11 @@ def _sphere(path: "list[tuple[float, float]]", circles: "list[tuple[float, Any]]
 def gyro(
     made: "Any",
     *,
-    rotor: "Any",
+    axial: "float | None" = None,
+    transverse: "float | None" = None,
+    mass: "float | None" = None,
+    gyration: "float | None" = None,
+    radius: "float | None" = None,
     spin: float,
     precession: float,
     angle: float = QUARTER,
@@ -200,7 +205,7 @@ def gyro(
 ) -> Picture:
     """The angular momentum beside the axes, and the torque over the angle between them."""
     sine, cosine = math.sin(angle), math.cos(angle)
-    axial, transverse = rotor.pair()
+    axial, transverse = moments_of(axial, transverse, mass, gyration, radius)
     along = axial * (spin + precession * cosine)
     across = (transverse or 0.0) * precession * sine
     size = math.hypot(along, across) or 1.0

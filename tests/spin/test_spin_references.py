@@ -8,7 +8,7 @@ import pytest
 from dynamics_cli.errors import DynamicsError
 from dynamics_cli.spin.disk import Wheel, disk
 from dynamics_cli.spin.free import free
-from dynamics_cli.spin.gyro import Moments, gyro
+from dynamics_cli.spin.gyro import gyro
 from dynamics_cli.spin.rod import rod
 from dynamics_cli.spin.shaft import shaft
 from dynamics_cli.spin.top import top
@@ -21,10 +21,10 @@ def near(value: Any, text: str, tolerance: float = 4e-15) -> None:
 
 
 def test_gyro() -> None:
-    made = gyro(rotor=Moments(0.03, 0.02), spin=100 * math.pi, precession=2.0, angle=math.pi / 3)
+    made = gyro(axial=0.03, transverse=0.02, spin=100 * math.pi, precession=2.0, angle=math.pi / 3)
     near(made.torque, "16.34151478618364943")
     assert made.simple_share == pytest.approx(1.0, rel=2e-3)
-    assert gyro(rotor=Moments(0.03, 0.02), spin=-300.0, precession=2.0).sense.endswith("away from the precession axis")
+    assert gyro(axial=0.03, transverse=0.02, spin=-300.0, precession=2.0).sense.endswith("away from the precession axis")
 
 
 @pytest.mark.parametrize(
