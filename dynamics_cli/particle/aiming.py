@@ -3,11 +3,12 @@
 import math
 
 from dynamics_cli.errors import require
+from dynamics_cli.numerics.elementary import hypot, sqrt
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.roots import halved, highest
 from dynamics_cli.numerics.turns import turned
 from dynamics_cli.particle.flights import Linear, Quadratic, Upright, Vacuum
-from dynamics_cli.quantities import Annotated, Area, Density, Mass, Positive, Speed
+from dynamics_cli.quantities import Angle, Annotated, Area, Density, Mass, PlanarPosition, Positive, Speed
 from dynamics_cli.records import record
 
 TYPE_CHECKING = False
@@ -22,6 +23,28 @@ RIGHT = 1.5707963267948966
 SCAN = 60
 # Angles to either side of the best, whose ranges are compared.
 BESIDE = 1e-4
+
+
+@record
+class Elevation:
+    """Aim by the angle."""
+
+    elevation: Annotated[Angle, "Angle of the launch above the horizontal, e.g. 45 deg."]
+
+
+@record
+class Target:
+    """Aim at a point."""
+
+    target: Annotated[PlanarPosition, "Where it is to pass: distance and height from the launch, e.g. 80, 5 m."]
+
+
+@record
+class Aimed:
+    """Aim at a point by an angle: the speed is found."""
+
+    elevation: Annotated[Angle, "Angle of the launch above the horizontal, e.g. 45 deg."]
+    target: Annotated[PlanarPosition, "Where it is to pass: distance and height from the launch, e.g. 80, 5 m."]
 
 
 @record
@@ -93,6 +116,39 @@ def angles_to(launch: "Launch", x: float, y: float) -> "tuple[float, float | Non
             hint="launch it faster, or aim lower")  # fmt: skip
     flat, steep = (halved(lambda angle: miss(angle) < 0.0, end, crown)[1] for end in (floor, RIGHT - 1e-12))
     return flat, steep
+
+
+def meeting_speed(x: float, y: float, slope: float, gravity: float) -> float:
+    """The speed without drag that meets a target at a slope."""
+    above = x * slope - y
+    require(above > 0.0, "the target lies above the line of the launch", code="out-of-reach", hint="aim higher")
+    return x * sqrt(gravity * (1.0 + slope * slope) / (2.0 * above))
+
+
+def least_speed(x: float, y: float, gravity: float) -> float:
+    """The least speed that reaches a target without drag."""
+    return sqrt(gravity * (y + hypot(x, y))) if plain(y) >= 0.0 else sqrt(gravity * x * x / (hypot(x, y) - y))
+
+
+def launch_speed(
+    vacuum: float, x: float, y: float, angle: float, gravity: float, time_constant: "float | None",
+    drag: "Terminal | DragBody | None", wind: float,
+) -> float:  # fmt: skip
+    """The speed at which a flight with drag passes a point at an angle, from that without drag on."""
+
+    def short(speed: float) -> bool:
+        passed = launcher(speed, gravity, time_constant, drag, wind)(angle).passing(x)
+        return passed is None or passed[2] < y
+
+    low, high = vacuum, vacuum
+    while low > 1e-3 * vacuum and not short(low):
+        low *= 0.5
+    for _ in range(SCAN):
+        if not short(high):
+            return halved(short, low, high)[1]
+        high *= 1.5
+    require(False, "no speed reaches the target against this drag", code="out-of-reach", hint="aim elsewhere")
+    raise AssertionError
 
 
 def best_angle(launch: "Launch", height: float) -> float:

@@ -37,7 +37,8 @@ PROJECTILE = Task(
         method="quadrature of the hodograph",
     ),
     headline=(
-        "elevation: launch angle", "other_elevation: or, steeper", "range", "time", "apex_height: greatest height",
+        "launch_speed: launch speed", "elevation: launch angle", "other_elevation: or, steeper", "range", "time",
+        "apex_height: greatest height",
         "impact_speed: arrives with", "impact_angle: falling at", "best_elevation: best angle",
         "greatest_range: its range",
         "least_speed: least speed to the target", "path: path | time, distance, height, speed",
@@ -45,6 +46,7 @@ PROJECTILE = Task(
     examples=(
         'dynamics particle projectile --speed "30 m/s" --elevation "45 deg" --height "2 m"',
         'dynamics particle projectile --speed "30 m/s" --target "80, 5 m"',
+        'dynamics particle projectile --elevation "40 deg" --target "80, 5 m"',
         'dynamics particle projectile --speed "95 mph" --elevation "32 deg" --height "3 ft" --mass "5.1 oz" '
         '--area "6.6 in^2" --drag-coefficient 0.35 --wind "-8 mph" --units us',
     ),

@@ -3,8 +3,7 @@
 import math
 
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.particle.aiming import launcher
-from dynamics_cli.particle.projectile import Elevation
+from dynamics_cli.particle.aiming import Elevation, launcher
 from dynamics_cli.particle.tube import tube as motion_in_tube
 from dynamics_cli.pictures import Axis, Curve, Mark, Panel, Picture
 from dynamics_cli.quantities import STANDARD_GRAVITY, Length, Speed, Time
@@ -21,7 +20,7 @@ GREY = 6
 def projectile(
     made: "Any",
     *,
-    speed: float,
+    speed: "float | None" = None,
     aim: "Any",
     height: float = 0.0,
     time_constant: "float | None" = None,
@@ -31,7 +30,8 @@ def projectile(
     **_: "Any",
 ) -> Picture:
     """The path, a fan of other angles, and the parabola of safety where there is no drag."""
-    launch = launcher(plain(speed), plain(gravity), time_constant, drag, plain(wind))
+    speed = plain(made.launch_speed if speed is None else speed)
+    launch = launcher(speed, plain(gravity), time_constant, drag, plain(wind))
     fall = plain(height) if isinstance(aim, Elevation) else max(-plain(aim.target[1]), 0.0)
     items: list[Any] = [_path(launch, math.radians(degrees), fall, "thin", "", GREY) for degrees in FAN]
     if made.other_elevation is not None:

@@ -1,10 +1,23 @@
 """The task `projectile`: range, target, best angle, with no, linear or quadratic drag."""
 
 from dynamics_cli.errors import MissingError, require, worded
-from dynamics_cli.numerics.elementary import absolute, atan, atan2, hypot, sqrt
+from dynamics_cli.numerics.elementary import absolute, atan, atan2, hypot, sqrt, tan
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.turns import turned
-from dynamics_cli.particle.aiming import RIGHT, DragBody, Terminal, angles_to, best_angle, launcher
+from dynamics_cli.particle.aiming import (
+    RIGHT,
+    Aimed,
+    DragBody,
+    Elevation,
+    Target,
+    Terminal,
+    angles_to,
+    best_angle,
+    launch_speed,
+    launcher,
+    least_speed,
+    meeting_speed,
+)
 from dynamics_cli.particle.flights import FEWER, Quadratic, Vacuum
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
@@ -13,7 +26,6 @@ from dynamics_cli.quantities import (
     Count,
     Gravity,
     Length,
-    PlanarPosition,
     Speed,
     Time,
 )
@@ -21,23 +33,14 @@ from dynamics_cli.records import Advice, ErrorBound, Numerics, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
+    from collections.abc import Callable
+
     from dynamics_cli.particle.aiming import Flight, Launch
 
+    # The speed that meets a target at a slope.
+    Meeting = Callable[[float, float, float], float]
+
 MOST_ROWS = 10000
-
-
-@record
-class Elevation:
-    """Aim by the angle."""
-
-    elevation: Annotated[Angle, "Angle of the launch above the horizontal, e.g. 45 deg."]
-
-
-@record
-class Target:
-    """Aim at a point."""
-
-    target: Annotated[PlanarPosition, "Where it is to pass: distance and height from the launch, e.g. 80, 5 m."]
 
 
 @record
@@ -54,6 +57,7 @@ class Point:
 class Projectile:
     """A flight, and what other angles would do."""
 
+    launch_speed: Annotated[Speed | None, "Speed that meets the target at this angle, where it is found [m/s]."]
     elevation: Annotated[Angle, "Angle of the launch above the horizontal [rad]."]
     other_elevation: Annotated[Angle | None, "The other angle that meets the target, the steeper one [rad]."]
     range: Annotated[Length, "Horizontal distance of the landing, or of the target [m]."]
@@ -82,8 +86,10 @@ def linear_drag(*, drag: object = None, **_: object) -> str | None:
 
 def projectile(
     *,
-    speed: Annotated[Speed, "Speed of the launch, e.g. 30 m/s."],
-    aim: Annotated[Elevation | Target, "Where it is aimed."],
+    speed: Annotated[
+        Speed | None, "Speed of the launch; without one it is found from elevation and target, e.g. 30 m/s."
+    ] = None,
+    aim: Annotated[Elevation | Target | Aimed, "Where it is aimed."],
     height: Annotated[Length, "Height of the launch above the landing, e.g. 2 m."] = 0.0,
     time_constant: Annotated[
         Time | None, "Drag in proportion to the speed: the time in which it falls by e, e.g. 3 s."
@@ -122,7 +128,7 @@ def projectile(
     """
     require(time_constant is None and drag is None, "a drag is for the models with drag", code="model")
     require(plain(wind) == 0.0, "a wind has no effect without drag", code="wind", hint="give the drag too, or no wind")
-    _check(speed, aim, height, steps)
+    speed = _check(speed, aim, height, steps, lambda x, y, slope: meeting_speed(x, y, slope, gravity))
     least = other = None
     if isinstance(aim, Target):
         x, y = aim.target
@@ -135,19 +141,25 @@ def projectile(
         elevation = aim.elevation
         cosine, sine = turned(elevation)
         flight = Vacuum(speed * cosine, speed * sine, gravity)
+        if isinstance(aim, Aimed):
+            least = least_speed(*aim.target, gravity)
     best = greatest = None
-    if not isinstance(aim, Target):
+    if isinstance(aim, Elevation):
         reach = speed * speed + 2.0 * gravity * height
         if plain(reach) > 0.0:
             best, greatest = atan(speed / sqrt(reach)), speed * sqrt(reach) / gravity
     end = _end(flight, aim, height)
-    return _answer(flight, end, elevation, other, best, greatest, least, steps, None)
+    return _answer(
+        flight, speed if isinstance(aim, Aimed) else None, end, elevation, other, best, greatest, least, steps, None
+    )
 
 
 def with_drag(
     *,
-    speed: Annotated[Speed, "Speed of the launch, e.g. 30 m/s."],
-    aim: Annotated[Elevation | Target, "Where it is aimed."],
+    speed: Annotated[
+        Speed | None, "Speed of the launch; without one it is found from elevation and target, e.g. 30 m/s."
+    ] = None,
+    aim: Annotated[Elevation | Target | Aimed, "Where it is aimed."],
     height: Annotated[Length, "Height of the launch above the landing, e.g. 2 m."] = 0.0,
     time_constant: Annotated[
         Time | None, "Drag in proportion to the speed: the time in which it falls by e, e.g. 3 s."
@@ -190,8 +202,11 @@ def with_drag(
             hint="give --time-constant or the quadratic drag")  # fmt: skip
     if time_constant is None and drag is None:
         raise MissingError("no drag is given", (("time_constant",), ("drag.terminal_speed",)))
-    _check(speed, aim, height, steps)
-    launch = launcher(plain(speed), plain(gravity), plain(time_constant), drag, plain(wind))
+    angle = 0.0 if isinstance(aim, Target) else plain(aim.elevation)
+    given = plain(gravity), plain(time_constant), drag, plain(wind)
+    speed = _check(speed, aim, height, steps, lambda x, y, slope: launch_speed(
+        plain(meeting_speed(x, y, slope, gravity)), plain(x), plain(y), angle, *given))  # fmt: skip
+    launch = launcher(plain(speed), *given)
     other = None
     if isinstance(aim, Target):
         x, y = plain(aim.target[0]), plain(aim.target[1])
@@ -201,11 +216,12 @@ def with_drag(
     flight = launch(elevation)
     end = _end(flight, aim, plain(height))
     best = greatest = None
-    if not isinstance(aim, Target) and plain(height) >= 0.0:
+    if isinstance(aim, Elevation) and plain(height) >= 0.0:
         best = best_angle(launch, plain(height))
         greatest = launch(best).landing(plain(height))[1]
     return _answer(
         flight,
+        speed if isinstance(aim, Aimed) else None,
         end,
         elevation,
         other,
@@ -217,28 +233,38 @@ def with_drag(
     )
 
 
-def _check(speed: float, aim: "Elevation | Target", height: float, steps: int) -> None:
-    require(speed > 0.0, "the speed of {speed} is not above zero", speed=(speed, Speed))
+def _check(
+    speed: "float | None", aim: "Elevation | Target | Aimed", height: float, steps: int, meeting: "Meeting"
+) -> float:
+    """The speed, or that which meets the target at the elevation."""
     require((steps >= 1) & (steps <= MOST_ROWS), "the path cannot have {steps} rows", code="steps", steps=steps)
-    if isinstance(aim, Elevation):
+    if not isinstance(aim, Target):
         require(absolute(aim.elevation) <= RIGHT, "an elevation of {angle} points backwards",
                 angle=(aim.elevation, Angle), code="elevation",
                 hint="give an angle between -90 and 90 deg")  # fmt: skip
+    if isinstance(aim, Elevation):
         require(
             (aim.elevation > 0.0) | (height > 0.0), "launched level or downwards it needs a height above the landing",
             code="no-flight", hint="give --height, or an elevation above zero",
         )  # fmt: skip
     else:
         require(aim.target[0] > 0.0, "the target lies {distance} ahead", distance=(aim.target[0], Length),
-        code="target",
-                hint="give a target with a distance above zero")  # fmt: skip
+                code="target", hint="give a target with a distance above zero")  # fmt: skip
         require(plain(height) == 0.0, "with a target the height is its own", code="exclusive",
                 hint="leave out --height: the target's height is counted from the launch")  # fmt: skip
+    if isinstance(aim, Aimed):
+        require(speed is None, "speed, elevation and target are all given", code="exclusive",
+                hint="leave out one: it is found from the others")  # fmt: skip
+        return meeting(*aim.target, tan(aim.elevation))
+    if speed is None:
+        raise MissingError("the speed is not given", (("speed",), ("elevation", "target")))
+    require(speed > 0.0, "the speed of {speed} is not above zero", speed=(speed, Speed))
+    return speed
 
 
 def _to_target(speed: float, x: float, y: float, gravity: float) -> "tuple[float, float, float]":
     """The slopes of the flatter and the steeper launch, and the least speed."""
-    least = sqrt(gravity * (y + hypot(x, y))) if plain(y) >= 0.0 else sqrt(gravity * x * x / (hypot(x, y) - y))
+    least = least_speed(x, y, gravity)
     square = speed * speed
     rest = square * square - gravity * (gravity * x * x + 2.0 * y * square)
     require(
@@ -250,8 +276,8 @@ def _to_target(speed: float, x: float, y: float, gravity: float) -> "tuple[float
     return flat, steep, least
 
 
-def _end(flight: "Flight", aim: "Elevation | Target", height: float) -> "tuple[float, ...]":
-    if isinstance(aim, Target):
+def _end(flight: "Flight", aim: "Elevation | Target | Aimed", height: float) -> "tuple[float, ...]":
+    if not isinstance(aim, Elevation):
         passed = flight.passing(plain(aim.target[0]))
         assert passed is not None
         return passed
@@ -264,7 +290,7 @@ def _end(flight: "Flight", aim: "Elevation | Target", height: float) -> "tuple[f
 
 
 def _numerics(
-    launch: "Launch", elevation: float, aim: "Elevation | Target", height: float, end: "tuple[float, ...]"
+    launch: "Launch", elevation: float, aim: "Elevation | Target | Aimed", height: float, end: "tuple[float, ...]"
 ) -> Numerics:
     """The difference that fewer nodes make, with room for rounding."""
     flight = launch(elevation)
@@ -282,6 +308,7 @@ def _numerics(
 
 def _answer(
     flight: "Flight",
+    found: "float | None",
     end: "tuple[float, ...]",
     elevation: float,
     other: "float | None",
@@ -298,6 +325,7 @@ def _answer(
         t, distance, height, v_x, v_y = flight.at(time * k / steps) if k < steps else end
         rows.append(Point(time=t, distance=distance, height=height, speed=hypot(v_x, v_y)))
     return Projectile(
+        launch_speed=found,
         elevation=elevation,
         other_elevation=other,
         range=x,

@@ -13,9 +13,9 @@ GYRO = Task(
         "dynamics_cli.spin.gyro:gyro",
         source="Euler's equations",
         formula=(
-            "{torque|M} = {precession|Ω}·sin {angle|θ}·({axial|C}·({spin|s} + {precession|Ω}·cos {angle|θ}) "
-            "− {transverse|A}·{precession|Ω}·cos {angle|θ})",
-            "{torque|M} = {axial|C}·{spin|s}·{precession|Ω}",
+            "{torque|M} = {precession|Ω}·sin {angle|θ}·(C·({spin|s} + {precession|Ω}·cos {angle|θ}) "
+            "− A·{precession|Ω}·cos {angle|θ})",
+            "{torque|M} = C·{spin|s}·{precession|Ω}",
         ),
         assumptions=("the rotor is alike in all directions across its axis", "both rates and the angle are steady"),
     ),
@@ -26,6 +26,7 @@ GYRO = Task(
     examples=(
         'dynamics spin gyro --axial "0.03 kg*m^2" --transverse "0.02 kg*m^2" --spin "3000 rpm" '
         '--precession "2 rad/s" --angle "60 deg" --span "200 mm"',
+        'dynamics spin gyro --mass "5 kg" --radius "100 mm" --spin "10000 rpm" --precession "2 rad/s"',
         'dynamics spin gyro --axial "0.4 slug*ft^2" --spin "2400 rpm" '
         '--precession "20 deg/s" --span "18 in" --units us',
     ),
@@ -48,10 +49,11 @@ FREE = Task(
         "least_nutation: least nutation", "greatest_nutation: greatest nutation",
         "least_precession: least precession", "greatest_precession: greatest precession",
         "growth: growth about the middle axis", "angular_momentum", "energy",
+        "principal_moments", "axes[0]: principal axis 1", "axes[1]: principal axis 2", "axes[2]: principal axis 3",
     ),
     examples=(
         'dynamics spin free --moments "1, 2, 3 kg*m^2" --angular-velocity "0.2, 1, 0.5 rad/s"',
-        'dynamics spin free --moments "1, 2, 3 kg*m^2" --angular-velocity "1e-6, 1, 0 rad/s"',
+        'dynamics spin free --tensor "2, -0.5, 0; -0.5, 2, 0; 0, 0, 3 kg*m^2" --angular-velocity "0.2, 1, 0.5 rad/s"',
     ),
     plot=f"{PICTURES}:free",
     arrays=False,

@@ -1,6 +1,6 @@
 """The task `free`: a rigid body turning without torque."""
 
-from dynamics_cli.errors import require, worded
+from dynamics_cli.errors import MissingError, require, worded
 from dynamics_cli.numerics.elementary import atan2, pi_beside, sqrt
 from dynamics_cli.numerics.elliptic import mean
 from dynamics_cli.numerics.number import plain
@@ -9,8 +9,10 @@ from dynamics_cli.quantities import (
     AngularImpulse,
     AngularVelocity,
     Annotated,
+    Direction,
     GrowthRate,
     Inertia,
+    InertiaTensor,
     InertiaTriple,
     PotentialEnergy,
     Text,
@@ -18,8 +20,11 @@ from dynamics_cli.quantities import (
     TurnRate,
 )
 from dynamics_cli.records import Advice, record
+from dynamics_cli.spin.principal import along_axes
 
 NAMES = ("x", "y", "z")
+# Of principal axes that were found.
+NUMBERS = ("1", "2", "3")
 ROUNDING = 1.0 + 1e-12
 # Nearer than this to the separatrix the side is decided in fractions.
 NEAR = 1e-9
@@ -45,13 +50,18 @@ class Free:
     growth: Annotated[GrowthRate, "Growth of a disturbance, were all this speed about the middle axis [1/s]."]
     angular_momentum: Annotated[AngularImpulse, "Size of the angular momentum [N*m*s]."]
     energy: Annotated[PotentialEnergy, "Energy of rotation [J]."]
+    principal_moments: Annotated[InertiaTriple | None, "Of a tensor, its principal moments 1, 2, 3 [kg*m^2]."] = None
+    axes: Annotated[
+        tuple[Direction, ...] | None, "Their axes, one a row, in the axes of the tensor; components are along them [-]."
+    ] = None
     advice: tuple[Advice, ...] = ()
 
 
 def free(
     *,
-    moments: Annotated[InertiaTriple, "Principal moments of inertia about x, y, z, e.g. 1, 2, 3 kg*m^2."],
-    angular_velocity: Annotated[AngularVelocity, "Angular velocity along those axes, e.g. 0.2, 1, 0.5 rad/s."],
+    moments: Annotated[InertiaTriple | None, "Principal moments of inertia about x, y, z, e.g. 1, 2, 3 kg*m^2."] = None,
+    tensor: Annotated[InertiaTensor | None, "Or the inertia tensor about the mass centre in any axes."] = None,
+    angular_velocity: Annotated[AngularVelocity, "Angular velocity along the same axes, e.g. 0.2, 1, 0.5 rad/s."],
 ) -> Free:
     """Rotation of a rigid body without torque: axis, period, extremes, nutation and precession.
 
@@ -70,6 +80,8 @@ def free(
     ------
     InadmissibleError
         When a moment is not above zero, one is above the sum of the others, or the body does not turn.
+    UsageError
+        When neither moments nor a tensor are given, or both.
 
     References
     ----------
@@ -80,6 +92,14 @@ def free(
     >>> round(free(moments=(1.0, 2.0, 3.0), angular_velocity=(0.2, 1.0, 0.5)).period, 9)
     10.178247966
     """
+    axes, labels = None, NAMES
+    require(moments is None or tensor is None, "principal moments and a tensor are both given", code="both",
+            hint="give --moments or --tensor")  # fmt: skip
+    if tensor is not None:
+        moments, angular_velocity, axes = along_axes(tensor, angular_velocity)
+        labels = NUMBERS
+    elif moments is None:
+        raise MissingError("the inertia of the body is not given", [("moments",), ("tensor",)])
     order = sorted(range(3), key=lambda k: plain(moments[k]))
     body = _body(moments, order)
     rates: Triple = tuple(abs(angular_velocity[k]) for k in order)  # type: ignore[assignment]
@@ -88,7 +108,7 @@ def free(
     low, middle, high = body
     p, q, r = rates
     momentum = sqrt((low * p) * (low * p) + (middle * q) * (middle * q) + (high * r) * (high * r))
-    names = [NAMES[k] for k in order]
+    names = [labels[k] for k in order]
     most, least, split = extremes(body, rates)
     motion, about = _motion(body, rates, most, least, split, names)
     near = far = slower = faster = period = None
@@ -115,6 +135,8 @@ def free(
         growth=growth,
         angular_momentum=momentum,
         energy=0.5 * (low * p * p + middle * q * q + high * r * r),
+        principal_moments=moments if axes else None,
+        axes=axes,
         advice=_advice(period, motion, plain(middle * q * q / (low * p * p + middle * q * q + high * r * r)), names[1]),
     )
 

@@ -1,6 +1,6 @@
 """The task `gyro`: the gyroscopic torque of a rotor whose axis turns."""
 
-from dynamics_cli.errors import require
+from dynamics_cli.errors import MissingError, require
 from dynamics_cli.numerics.elementary import cos, sin
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.quantities import (
@@ -9,6 +9,7 @@ from dynamics_cli.quantities import (
     Annotated,
     Force,
     Inertia,
+    Mass,
     Ratio,
     ShaftSpeed,
     Size,
@@ -18,6 +19,7 @@ from dynamics_cli.quantities import (
 )
 from dynamics_cli.records import record
 
+WAYS = [("axial",), ("mass", "gyration"), ("mass", "radius")]
 QUARTER = 1.5707963267948966
 # A cosine below this is that of a right angle.
 RIGHT = 1e-15
@@ -39,10 +41,13 @@ class Gyro:
 
 def gyro(
     *,
-    axial: Annotated[Inertia, "Moment of inertia about the spin axis, e.g. 0.03 kg*m^2."],
+    axial: Annotated[Inertia | None, "Moment of inertia about the spin axis, e.g. 0.03 kg*m^2."] = None,
     transverse: Annotated[
         Inertia | None, "Moment of inertia across the spin axis; not needed at 90 deg, e.g. 0.02 kg*m^2."
     ] = None,
+    mass: Annotated[Mass | None, "Or the mass of the rotor, e.g. 5 kg."] = None,
+    gyration: Annotated[Size | None, "With its radius of gyration about the spin axis, e.g. 90 mm."] = None,
+    radius: Annotated[Size | None, "Or with its radius as a uniform thin disk, e.g. 100 mm."] = None,
     spin: Annotated[ShaftSpeed, "Speed of the rotor in its frame, e.g. 3000 rpm."],
     precession: Annotated[TurnRate, "Angular velocity of the frame, e.g. 2 rad/s."],
     angle: Annotated[Angle, "Between spin axis and precession axis, e.g. 60 deg."] = QUARTER,
@@ -65,6 +70,9 @@ def gyro(
         When a moment of inertia is not above zero, the axial one is above twice the transverse one or needs it, or
         the span is not above zero.
 
+    UsageError
+        When the rotor is given in no way, or in two.
+
     References
     ----------
     Euler's equations, with components along the spin axis and across it.
@@ -76,6 +84,7 @@ def gyro(
     16.341514786
     """
     sine, cosine = sin(angle), cos(angle)
+    axial, transverse = moments_of(axial, transverse, mass, gyration, radius)
     require(transverse is not None or abs(plain(cosine)) < RIGHT, "at {angle} the moment of inertia across the spin "
             "axis counts", angle=(angle, Angle), code="missing", hint="give --transverse")  # fmt: skip
     check_body(axial, axial if transverse is None else transverse)
@@ -99,6 +108,24 @@ def gyro(
         simple_share=simple / torque if sign != 0.0 else None,
         angular_momentum=axial * (spin + precession * cosine),
     )
+
+
+def moments_of(
+    axial: "float | None", transverse: "float | None", mass: "float | None", gyration: "float | None",
+    radius: "float | None",
+) -> "tuple[float, float | None]":  # fmt: skip
+    """Moments of inertia about the spin axis and across it, from whichever of the rotor is given."""
+    sizes = [size for size in (gyration, radius) if size is not None]
+    if (axial is None) == (mass is None) or len(sizes) != (mass is not None):
+        raise MissingError("the inertia of the rotor is not given, or is given twice", WAYS)
+    if axial is not None:
+        return axial, transverse
+    assert mass is not None
+    if gyration is not None:
+        return mass * gyration * gyration, transverse
+    assert radius is not None
+    quarter = 0.25 * mass * radius * radius
+    return 2.0 * quarter, quarter if transverse is None else transverse
 
 
 def check_body(axial: float, transverse: float) -> None:

@@ -7,7 +7,9 @@ from dynamics_cli.numerics.number import plain
 from dynamics_cli.pictures import Arrow, Axis, Band, Curve, Label, Mark, Panel, Picture
 from dynamics_cli.quantities import STANDARD_GRAVITY, Angle, GrowthRate, Length, ShaftSpeed, Time, Torque, TurnRate
 from dynamics_cli.spin.disk import DISK, growth_factor
-from dynamics_cli.spin.free import NAMES, extremes, moduli
+from dynamics_cli.spin.free import NAMES, NUMBERS, extremes, moduli
+from dynamics_cli.spin.gyro import moments_of
+from dynamics_cli.spin.principal import along_axes
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -29,11 +31,16 @@ SAME = 1e-3
 def free(
     made: "Any",
     *,
-    moments: "tuple[float, float, float]",
+    moments: "tuple[float, float, float] | None" = None,
+    tensor: "Any" = None,
     angular_velocity: "tuple[float, float, float]",
     **_: "Any",
 ) -> Picture:
     """Components over a period, and the polhode seen along the axis it goes round."""
+    labels = NAMES if tensor is None else NUMBERS
+    if tensor is not None:
+        moments, angular_velocity, _axes = along_axes(tensor, angular_velocity)
+    assert moments is not None
     order = sorted(range(3), key=lambda k: plain(moments[k]))
     body: Any = tuple(plain(moments[k]) for k in order)
     rates: Any = tuple(abs(plain(angular_velocity[k])) for k in order)
@@ -53,7 +60,7 @@ def free(
         paths = [[], [most[1] * sn for sn, _cn, _dn in states], []]
         paths[about] = [most[about] * dn for _sn, _cn, dn in states]
         paths[2 - about] = [most[2 - about] * cn for _sn, cn, _dn in states]
-    names = [NAMES[k] for k in order]
+    names = [labels[k] for k in order]
     curves = tuple(Curve(times, paths[k], f"about {names[k]}", role=k) for k in range(3))
     history = Panel(Axis("time", Time), Axis("angular velocity", TurnRate), curves)
     across = 2 - about
@@ -186,8 +193,11 @@ def _sphere(path: "list[tuple[float, float]]", circles: "list[tuple[float, Any]]
 def gyro(
     made: "Any",
     *,
-    axial: float,
+    axial: "float | None" = None,
     transverse: "float | None" = None,
+    mass: "float | None" = None,
+    gyration: "float | None" = None,
+    radius: "float | None" = None,
     spin: float,
     precession: float,
     angle: float = QUARTER,
@@ -195,6 +205,7 @@ def gyro(
 ) -> Picture:
     """The angular momentum beside the axes, and the torque over the angle between them."""
     sine, cosine = math.sin(angle), math.cos(angle)
+    axial, transverse = moments_of(axial, transverse, mass, gyration, radius)
     along = axial * (spin + precession * cosine)
     across = (transverse or 0.0) * precession * sine
     size = math.hypot(along, across) or 1.0

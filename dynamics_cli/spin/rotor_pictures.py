@@ -72,13 +72,12 @@ def _rotor(place: float, height: float, tilt: float) -> "list[Any]":
         items.append(Curve([x, x - size, x + size, x], [0.0, -1.6 * size, -1.6 * size, 0.0], "", "filled", GREY))
     cosine, sine = math.cos(tilt), math.sin(tilt)
     corners = [(WIDE * i, HIGH * j) for i, j in ((-1, -1), (1, -1), (1, 1), (-1, 1), (-1, -1))]
-    x = [place + u * cosine - v * sine for u, v in corners]
-    y = [height + u * sine + v * cosine for u, v in corners]
-    items.append(Curve(x, y, "", "filled", MIDDLE))
+    turned = [(place + u * cosine - v * sine, height + u * sine + v * cosine) for u, v in corners]
+    items.append(Curve([u for u, _ in turned], [v for _, v in turned], "", "filled", MIDDLE))
     if tilt:
         length = 0.3
-        x, y = [place - length * cosine, place + length * cosine], [height - length * sine, height + length * sine]
-        items.append(Curve(x, y, "", "centre", MIDDLE))
+        along, up = length * cosine, length * sine
+        items.append(Curve([place - along, place + along], [height - up, height + up], "", "centre", MIDDLE))
     items.append(Mark(place, height, "", role=MIDDLE))
     items += [Label(x, -2.6 * BEARING, words, role) for x, words, role in ((0.0, "left", LEFT), (1.0, "right", RIGHT))]
     return items

@@ -77,3 +77,14 @@ def test_pictures(call: str, tmp_path: Path) -> None:
     target = tmp_path / "picture.svg"
     assert run(*shlex.split("particle " + call), "--plot", str(target)).status == 0
     assert target.stat().st_size > 5000
+
+
+@pytest.mark.parametrize("drag", ["", '--terminal-speed "40 m/s"', '--time-constant "3 s" --wind "-4 m/s"'])
+def test_the_speed_for_an_angle_and_a_target_passes_the_target(drag: str) -> None:
+    found = answer(*shlex.split(f'particle projectile --elevation "40 deg" --target "80, 5 m" {drag}'))["results"]
+    speed = found["launch_speed"]["value"]
+    back = answer(*shlex.split(f'particle projectile --speed "{speed!r} m/s" --target "80, 5 m" {drag}'))["results"]
+    angles = [back[name]["value"] for name in ("elevation", "other_elevation")]
+    assert min(abs(angle - 40.0) for angle in angles) < 1e-7
+    if not drag:
+        assert speed == pytest.approx(29.33849129739612, rel=1e-13)

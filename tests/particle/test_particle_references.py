@@ -7,10 +7,11 @@ from typing import Any
 
 import pytest
 
+from dynamics_cli.particle.aiming import DragBody, Elevation, Target, Terminal
 from dynamics_cli.particle.fall import fall
 from dynamics_cli.particle.flights import Linear, Quadratic, Upright
 from dynamics_cli.particle.incline import circle, incline
-from dynamics_cli.particle.projectile import DragBody, Elevation, Target, Terminal, projectile, with_drag
+from dynamics_cli.particle.projectile import projectile, with_drag
 from dynamics_cli.particle.rotating_frame import OnEarth, Turning, rotating_frame
 from dynamics_cli.particle.tube import Plane, Spring, hoop, tube
 

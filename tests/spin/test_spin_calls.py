@@ -1,10 +1,11 @@
 """Calls of `dynamics spin`: refusals, pictures."""
 
+import math
 import shlex
 from pathlib import Path
 
 import pytest
-from harness import run
+from harness import answer, run
 
 from dynamics_cli.spin import pictures
 from dynamics_cli.spin.top import top as steady
@@ -98,3 +99,34 @@ def test_at_right_angles_the_moment_across_does_not_count(tmp_path: Path) -> Non
     typed = shlex.split('spin gyro --axial "60 t*m^2" --spin "120 rpm" --precession "2 deg/s" --only torque')
     assert run(*typed).out == run(*typed, "--transverse", "40 t*m^2").out == "26318.9 N·m\n"
     assert run(*typed, "--plot", str(tmp_path / "gyro.svg")).status == 0
+
+
+def test_a_tensor_turns_like_its_principal_moments() -> None:
+    turned = '"2, -0.5, 0; -0.5, 2, 0; 0, 0, 3 kg*m^2"'
+    half = 0.5**0.5
+    along = f"{1.2 * half!r}, {-0.8 * half!r}, 0.5"
+    tensor = answer(*shlex.split(f'spin free --tensor {turned} --angular-velocity "0.2, 1, 0.5 rad/s"'))["results"]
+    moments = answer(*shlex.split(f'spin free --moments "1.5, 2.5, 3 kg*m^2" --angular-velocity "{along} rad/s"'))
+    for name in ("period", "energy", "greatest_nutation", "least_precession"):
+        assert tensor[name]["value"] == pytest.approx(moments["results"][name]["value"], rel=1e-13)
+    assert tensor["axes"][2]["value"] == [0.0, 0.0, -1.0]
+
+
+def test_a_tensor_counts_in_the_sensitivities() -> None:
+    call = 'spin free --tensor "2, -0.5, 0.1; -0.5, {}, 0; 0.1, 0, 3 kg*m^2" --angular-velocity "0.2, 1, 0.5 rad/s"'
+    step = 1e-6
+    document = answer(*shlex.split(call.format(2.0)))
+    low, high = (
+        answer(*shlex.split(call.format(repr(2.0 * (1.0 + part)))))["results"]["period"]["value"]
+        for part in (-step, step)
+    )
+    expected = abs(high - low) / (2.0 * step * document["results"]["period"]["value"])
+    condition = document["numerics"]["condition"]["period"]
+    assert abs(condition["tensor[1][1]"]) == pytest.approx(expected, rel=1e-6)
+
+
+def test_a_rotor_by_mass_and_radius() -> None:
+    turns = '--spin "10000 rpm" --precession "2 rad/s"'
+    for rotor, moment in (('--radius "100 mm"', 0.025), ('--gyration "90 mm"', 0.0405)):
+        results = answer(*shlex.split(f'spin gyro --mass "5 kg" {rotor} {turns}'))["results"]
+        assert results["torque"]["value"] == pytest.approx(moment * 2.0 * 10000.0 * math.pi / 30.0, rel=1e-14)

@@ -16,6 +16,8 @@ if TYPE_CHECKING:
 
     from dynamics_cli.motion.bodies.system import System
 
+# Lanes and times of one block of forces: larger arrays leave the processor's cache.
+BLOCK = 8192
 # Numbers of conditions and forces that may differ from lane to lane.
 NUMBERS = ("way", "angle", "k", "free", "d", "sizes", "size")
 
@@ -81,7 +83,8 @@ class Lanes:
     def solved(self, t: "Any", f: Frame) -> "tuple[list[Any], list[Any], list[Any]]":
         """Accelerations, multipliers, and the powers of loads and dampers."""
         rows, right = self._conditions(t, f)
-        out, power = list(self.weights.copy()), [np.zeros_like(self.sizes) for _ in range(2)]
+        none = np.zeros_like(f.q[0])
+        out, power = [weight + none for weight in self.weights], [none.copy() for _ in range(2)]
         for force in self.forces:
             force.add(t, f, out, power)
         wanted = [sum(value * out[c] * self.easiness[c] for c, value in row.items()) - must
@@ -127,9 +130,18 @@ class Lanes:
         """Sizes of the forces of every joint, in N."""
         f = self.frame(y)
         found = self.solved(t, f)[1]
-        none = np.zeros_like(self.sizes)
+        none = np.zeros_like(f.q[0])
         every = [found[self.one.place[row]] if row in self.one.place else none for row in range(self.one.rows)]
         return [np.hypot(*joint.force(f, every)[:2]) * self.units[0] + none for joint in self.joints]
+
+    def forces_over(self, times: "Any", states: "Any") -> "list[Any]":
+        """Sizes of the forces of every joint (lanes, times), for states (times, numbers, lanes)."""
+        step = max(1, BLOCK // times.shape[1])
+        parts = [
+            self.joint_forces(times[k : k + step], states[k : k + step].swapaxes(0, 1))
+            for k in range(0, len(times), step)
+        ]
+        return [np.concatenate(force).T for force in zip(*parts, strict=True)]
 
 
 class _Spring(SpringForce):
@@ -155,7 +167,9 @@ class _Law:
         self.motions, self.of_rate, self.knots = motions, motions[0].of_rate, ()
 
     def law(self, t: "Any") -> "Any":
-        """Value, rate and second derivative of each at its time."""
+        """Value, rate and second derivative of each at its time, or at many (times, lanes)."""
+        if t.ndim > 1:
+            return np.array([self.law(row) for row in t]).swapaxes(0, 1)
         return np.array([one.law(when) for one, when in zip(self.motions, t.tolist(), strict=True)]).T
 
 
@@ -183,6 +197,8 @@ def _each(laws: "Sequence[Any]") -> "Any":
         return laws[0]
 
     def at(given: "dict[str, Any]") -> "Any":
+        if given["t"].ndim > 1:
+            return np.array([at({name: values[k] for name, values in given.items()}) for k in range(len(given["t"]))])
         columns = {name: values.tolist() for name, values in given.items()}
         return np.array([law({name: values[k] for name, values in columns.items()}) for k, law in enumerate(laws)])
 

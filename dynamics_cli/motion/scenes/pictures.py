@@ -116,7 +116,7 @@ def _poses(shapes: Shapes, states: "list[Any]", scene: Scene, last: str) -> Pane
 def scene_picture(
     made: "Any", scene: Scene, *, duration: float, follow: str = "", gravity: float = STANDARD_GRAVITY, **_: "Any"
 ) -> Picture:
-    """Poses with the paths of points, angles over time or what is followed, the forces in the joints, and the errors."""
+    """Poses with the paths of points, angles over time or what is followed, forces in the joints, and errors."""
     from dynamics_cli.motion.scenes.runs import runs_of
     from dynamics_cli.motion.scenes.states import followed
 
@@ -179,7 +179,7 @@ def _forces(
 
 def _errors(runs: "Runs") -> "tuple[Curve, ...]":
     """The largest errors so far: what two tolerances differ by, and energy less work."""
-    curves = []
+    curves: list[Curve] = []
     for values, label in ((runs.parted, "two tolerances, share of its size"), (runs.energy_errors(), "energy, share")):
         largest = list(accumulate((max(value, DUST) for _, value in values), max))
         curves.append(Curve([t for t, _ in values], largest, label, role=len(curves)))
