@@ -149,7 +149,7 @@ FAMILIES: "dict[str, Entry]" = {
     "multibody": Entry(
         "dynamics_cli.multibody.commands",
         GROUPS[5],
-        "Bodies in space on joints of every kind: topology, motion, forces.",
+        "Bodies in space on joints: trees, loops, motion, forces.",
     ),
     "spin": Entry(
         "dynamics_cli.spin.commands",

@@ -240,7 +240,7 @@ MODES = Task(
 FAMILIES = {
     "multibody": Family(
         "multibody",
-        "Bodies in space on joints of every kind: topology, motion, forces.",
+        "Bodies in space on joints: trees, loops, motion, forces.",
         TOPOLOGY, KINEMATICS, MASS_MATRIX, EFFORTS, ACCELERATIONS, EQUILIBRIUM, MODES, SIMULATE,
     )
 }  # fmt: skip
