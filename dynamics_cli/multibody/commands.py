@@ -171,7 +171,7 @@ SIMULATE = Task(
         "verdict: answer", "horizon: horizon", "difference: two tolerances apart by",
         "energy_error: energy and work balance to", "kinetic_energy: kinetic energy at the end",
         "work: work of motors, loads, dampers", "gap: largest gap of a loop",
-        "states: at the end | name=speed, coordinate, speed=y",
+        "states: last state known | name=speed, coordinate, speed=y",
         "motion: motion of the body followed | time, centre, velocity, angular_velocity=ω",
     ),
     scene=_shown() | {"duration": "2 s"},
