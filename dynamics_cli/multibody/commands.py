@@ -111,6 +111,7 @@ EFFORTS = Task(
         method="recursion outwards and inwards",
     ),
     headline=(
+        "effort: effort",
         "efforts: joint | name=speed, effort, weight=of it weight, inertia, velocity, loads, springs",
         "power: power of the motors",
         "reactions: joint forces | joint=on, by, force, moment",
@@ -138,6 +139,7 @@ ACCELERATIONS = Task(
         method="articulated bodies",
     ),
     headline=(
+        "acceleration: acceleration",
         "accelerations: joint | name=speed, acceleration=ẏ, effort=motor, springs, speed=y",
         "reactions: joint forces | joint=on, by, force, moment, undetermined=open",
         "kinetic_energy: kinetic energy T", "potential_energy: potential energy V",
@@ -169,7 +171,7 @@ SIMULATE = Task(
         "verdict: answer", "horizon: horizon", "difference: two tolerances apart by",
         "energy_error: energy and work balance to", "kinetic_energy: kinetic energy at the end",
         "work: work of motors, loads, dampers", "gap: largest gap of a loop",
-        "states: at the end | name=speed, coordinate, speed=y",
+        "states: last state known | name=speed, coordinate, speed=y",
         "motion: motion of the body followed | time, centre, velocity, angular_velocity=ω",
     ),
     scene=_shown() | {"duration": "2 s"},

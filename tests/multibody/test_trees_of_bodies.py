@@ -232,9 +232,22 @@ def test_springs_and_loads_of_a_joint(scene: Any) -> None:
 
 
 def test_uncertain_inputs_spread(scene: Any) -> None:
-    arm = {"name": "arm", "axis": "0, 1, 0", "mass": "3 ± 0.3 kg", "rod": "1, 0, 0 m", "speed": "2 rad/s"}
-    outcome = run("multibody", "efforts", scene([arm]))
-    assert outcome.status == 0, outcome.err
+    """The weight's moment on an arm of 1 m is m·g/2, its inertia m/3: 10 % of the mass is 10 % of the effort."""
+    arm = {
+        "name": "arm",
+        "axis": "0, 1, 0",
+        "mass": "3 ± 0.3 kg",
+        "rod": "1, 0, 0 m",
+        "angular_acceleration": "3 rad/s^2",
+    }
+    document = answer("multibody", "efforts", scene([arm]), "--of", "arm")
+    effort = document["results"]["effort"]
+    assert effort["value"] == pytest.approx(3.0 - 1.5 * 9.80665)
+    deviation = effort["std"]
+    assert deviation == pytest.approx(0.1 * abs(effort["value"]), rel=0.02)
+    outcome = run("multibody", "efforts", scene([arm]), "--of", "leg")
+    assert outcome.status == 3
+    assert "speeds are arm" in outcome.err
 
 
 def test_partial_velocities_of_a_point(scene: Any) -> None:

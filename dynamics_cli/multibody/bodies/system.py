@@ -74,6 +74,12 @@ class System:
                 hint="bodies are {known}", known=", ".join(body.name for body in self.bodies))  # fmt: skip
         return self.link[name]
 
+    def speed(self, name: str) -> int:
+        """The place of a speed; refuses an unknown name."""
+        require(name in self.names, "there is no speed {name}", name=repr(name), code="unknown-speed",
+                hint="speeds are {known}", known=", ".join(self.names))  # fmt: skip
+        return self.names.index(name)
+
     def centre(self, k: int) -> "Vector":
         """The mass centre of a link, in the ground's frame."""
         rotation, origin = self.ground[k]

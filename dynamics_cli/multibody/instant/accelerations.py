@@ -48,6 +48,7 @@ class TurningRow:
 class Accelerations:
     """How bodies move under what acts on them."""
 
+    acceleration: Annotated[FreeNumber | None, "The rate of the speed asked for."]
     accelerations: Annotated[tuple[AccelerationRow, ...], "The rate of every speed."]
     turning: Annotated[tuple[TurningRow, ...], "Angular accelerations of the bodies."]
     reactions: Annotated[tuple[Reaction, ...], "Forces and moments that every joint transmits."]
@@ -62,6 +63,7 @@ def accelerations(
     scene: Annotated[Scene, "The bodies, from a file."],
     /,
     *,
+    of: Annotated[Text | None, "A speed whose rate is shown alone, with its spread if inputs are uncertain."] = None,
     up: Annotated[Upward, "The axis that points up: x, y, z, or none without gravity."] = Upward("z"),  # noqa: B008
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> Accelerations:
@@ -92,15 +94,15 @@ def accelerations(
     """
     system = System(scene, up, gravity)
     if scene.loops:
-        return _in_loops(system)
+        return _in_loops(system, of)
     springs = system.spring_efforts()
     driven = [motor + spring for motor, spring in zip(system.efforts, springs, strict=True)]
     rates = forward(system.tree, system.frames, system.speeds, driven, ground=system.base, loads=system.loads)
     _, wrenches = inverse(system.tree, system.frames, system.speeds, rates, ground=system.base, loads=system.loads)
-    return _answer(system, rates, reaction_rows(system, wrenches), checks(system, rates, driven))
+    return _answer(system, of, rates, reaction_rows(system, wrenches), checks(system, rates, driven))
 
 
-def _in_loops(system: System) -> Accelerations:
+def _in_loops(system: System, of: "str | None") -> Accelerations:
     """The same where loops are closed, by the ways that they leave free."""
     from dynamics_cli.multibody.bodies.loops import Loops
 
@@ -115,7 +117,7 @@ def _in_loops(system: System) -> Accelerations:
     _, wrenches = inverse(system.tree, system.frames, system.speeds, rates, ground=system.base, loads=system.loads)
     rows = loops.reactions(multipliers, nothing, wrenches)
     _advise(system, moved, changed, any(row.undetermined for row in rows))
-    return _answer(system, rates, rows, checks(system, rates, driven), "ways that the loops leave free")
+    return _answer(system, of, rates, rows, checks(system, rates, driven), "ways that the loops leave free")
 
 
 def _advise(system: System, moved: float, changed: float, undetermined: bool) -> None:
@@ -131,13 +133,20 @@ def _advise(system: System, moved: float, changed: float, undetermined: bool) ->
 
 
 def _answer(
-    system: System, rates: "list[float]", reactions: "tuple[Reaction, ...]", made: "tuple[Check, ...]", method: str = ""
+    system: System,
+    of: "str | None",
+    rates: "list[float]",
+    reactions: "tuple[Reaction, ...]",
+    made: "tuple[Check, ...]",
+    method: str = "",
 ) -> Accelerations:
     springs, speeds = system.spring_efforts(), system.speeds
     motions = sweep(system.tree, system.frames, speeds, rates)
     rows = zip(system.names, system.turning, rates, system.efforts, springs, speeds, strict=True)
     turning = ((body.name, system.link[body.name]) for body in system.bodies)
+    place = None if of is None else system.speed(of)
     return Accelerations(
+        acceleration=None if place is None else second(system.turning[place], rates[place]),
         accelerations=tuple(
             AccelerationRow(name, second(turns, a), effort(turns, motor), effort(turns, spring), rate(turns, speed))
             for name, turns, a, motor, spring, speed in rows

@@ -29,6 +29,7 @@ class EffortRow:
 class Efforts:
     """What the joints must supply."""
 
+    effort: Annotated[FreeNumber | None, "The effort of the speed asked for."]
     efforts: Annotated[tuple[EffortRow, ...], "The effort of every speed, with its parts."]
     reactions: Annotated[tuple[Reaction, ...], "Forces and moments that every joint transmits."]
     power: Annotated[Power, "Power of all motors together [W]."]
@@ -42,6 +43,7 @@ def efforts(
     scene: Annotated[Scene, "The bodies, from a file."],
     /,
     *,
+    of: Annotated[Text | None, "A speed whose effort is shown alone, with its spread if inputs are uncertain."] = None,
     up: Annotated[Upward, "The axis that points up: x, y, z, or none without gravity."] = Upward("z"),  # noqa: B008
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> Efforts:
@@ -89,6 +91,7 @@ def efforts(
         rows.append(EffortRow(name, *needs, rate(turning, speeds[k]), second(turning, rates[k])))  # type: ignore[call-arg]
     doubles = System(over_plain(scene), up, plain(gravity))
     return Efforts(
+        effort=None if of is None else rows[system.speed(of)].effort,
         efforts=tuple(rows),
         reactions=reaction_rows(system, wrenches),
         power=power,

@@ -7,6 +7,7 @@ from dynamics_cli.numerics.trees.articulated import forward
 from dynamics_cli.numerics.trees.newton_euler import sweep
 from dynamics_cli.numerics.trees.tree import BALL, rates
 from dynamics_cli.numerics.vectors import dot
+from dynamics_cli.quantities import Time
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -18,6 +19,8 @@ if TYPE_CHECKING:
 
 # Stretches at least, after which loops are put right and quaternions scaled; samples of a motion in all.
 STRETCHES, SAMPLES = 40, 400
+# Rates that a motion may take: about a minute.
+MOST = 200_000
 
 
 class Run:
@@ -27,6 +30,7 @@ class Run:
         self.system, self.loops, self.times, self.tolerance = system, loops, list(times), tolerance
         self.split = system.tree.coordinates
         self.gap = self.off_unit = 0.0
+        self.calls = 0
         self.states: list[list[float]] = []
         self.energies: list[float] = []
         self.kinetics: list[float] = []
@@ -53,6 +57,9 @@ class Run:
         return any(system.efforts) or bool(system.scene.loads) or any(spring.damping for spring in system.springs)
 
     def _rate(self, _: float, state: "Any") -> "list[float]":
+        self.calls += 1
+        require(self.calls <= MOST, "{duration} are too many swings to follow", duration=(self.times[-1], Time),
+                code="too-long", hint="shorten it, or give a larger tolerance")  # fmt: skip
         numbers = state.tolist()
         self.put(numbers)
         system = self.system
