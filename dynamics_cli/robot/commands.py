@@ -59,6 +59,7 @@ JACOBIAN = Task(
         source=BOOK + "sections 19.5 and 19.12",
         formula="v = z×(p − o), ω = z; τ = Jᵀ·F",
         assumptions=(RIGID,),
+        method="singular values",
     ),
     headline=(
         "verdict: arm",

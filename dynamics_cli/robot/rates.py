@@ -111,20 +111,9 @@ def rates(
     parts = Singular(matrix)
     nearness = parts.values[-1] / parts.values[0] if parts.values[0] else 0.0
     _require_regular(parts, rows, nearness, damping)
-    scaled = [0.0] * len(q)
-    for value, left, right in zip(parts.values, parts.left, parts.right, strict=True):
-        gain = value / (value * value + damping * damping) if value else 0.0
-        share = gain * sum(a * b for a, b in zip(left, target, strict=True))
-        scaled = [old + share * part for old, part in zip(scaled, right, strict=True)]
+    scaled = _solved(parts, target, damping)
     speeds = [part * factor for part, factor in zip(scaled, factors, strict=True)]
-    gaps = [
-        sum(value * speed for value, speed in zip(line, speeds, strict=True)) - goal
-        for line, goal in zip(matrix_of(columns, rows), wanted, strict=True)
-    ]
-    short = (
-        hypot(*(gap for row, gap in zip(rows, gaps, strict=True) if row < 3)),
-        hypot(*(gap for row, gap in zip(rows, gaps, strict=True) if row > 2)),
-    )
+    short = _short(matrix_of(columns, rows), rows, speeds, wanted)
     off = hypot(short[0] / size, short[1]) / (hypot(*target) or 1.0)
     require(
         damping > 0.0 or off <= REACHED,
@@ -149,6 +138,28 @@ def rates(
         checks=() if damping else (Check("the hand has its velocity", off <= REACHED, off, REACHED),),
         advice=limit_advice(chain, q),
     )
+
+
+def _solved(parts: Singular, target: "Sequence[float]", damping: float) -> "list[float]":
+    """The solution of least norm, by singular values, damped if asked."""
+    solution = [0.0] * len(parts.right[0])
+    for value, left, right in zip(parts.values, parts.left, parts.right, strict=True):
+        gain = value / (value * value + damping * damping) if value else 0.0
+        share = gain * sum(a * b for a, b in zip(left, target, strict=True))
+        solution = [old + share * part for old, part in zip(solution, right, strict=True)]
+    return solution
+
+
+def _short(
+    lines: "Sequence[Sequence[float]]", rows: "Sequence[int]", speeds: "Sequence[float]", wanted: "Sequence[float]"
+) -> "tuple[float, float]":
+    """By how much the speeds miss the velocity, and the angular velocity."""
+    gaps = [
+        sum(value * speed for value, speed in zip(line, speeds, strict=True)) - goal
+        for line, goal in zip(lines, wanted, strict=True)
+    ]
+    linear = [gap for row, gap in zip(rows, gaps, strict=True) if row < 3]
+    return hypot(*linear), hypot(*(gap for row, gap in zip(rows, gaps, strict=True) if row > 2))
 
 
 def _wanted(

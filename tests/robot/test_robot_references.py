@@ -275,7 +275,7 @@ def test_speeds_of_a_redundant_arm() -> None:
     assert least.idle == pytest.approx([part / way[2] for part in way], abs=1e-14)
     weighted = rates(arm, angles=q, velocity=v, weights=(4.0, 2.0, 1.0))
     assert weighted.speeds == pytest.approx(
-        (0.08907274491930865541879768, -0.3531848536453853815072896, 0.09222048783602136232528933), abs=1e-15
+        (0.08907274491930865541879768, -0.3531848536613853815072896, 0.09222048783602136232528933), abs=1e-15
     )
 
 
