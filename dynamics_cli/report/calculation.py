@@ -32,6 +32,9 @@ LEAST_SHARE = 0.01
 MOST_DRIVERS = 4
 STANDARD_GRAVITY = {"value": 9.80665, "unit": "m/s²"}
 SWEEP = "sweep"
+# Significant digits of certain results: in tables unless asked for, and in sentences. Sizes and angles keep the former.
+DEFAULT_DIGITS, SENTENCE_DIGITS = 6, 4
+FINE_UNITS = ("mm", "in", "µm", "deg", "rad")
 
 
 @record
@@ -114,8 +117,8 @@ class Calculation:
                 return f"{name}{label[len(side) :]}"
         return label
 
-    def value(self, address: str) -> Value:
-        """A result as the report shows it; one that repeats an input is shown like the input."""
+    def value(self, address: str, *, brief: bool = False) -> Value:
+        """A result as the report shows it, `brief` in a sentence; one that repeats an input is shown like the input."""
         node = node_at(self.results, address)
         for _, input_node in leaves(self.document["inputs"]) if self.document and is_quantity(node) else ():
             if _repeats(node, input_node):
@@ -123,7 +126,10 @@ class Calculation:
                 if origin is not None:
                     return origin[0].value(origin[1])
         rough = self.task is not None and address in self.task.unspread
-        return shown(node_at(self.results, address), ESTIMATE_DIGITS if rough else self.digits)
+        digits = self.digits
+        if brief and digits == DEFAULT_DIGITS and node_unit(node) not in FINE_UNITS:
+            digits = SENTENCE_DIGITS
+        return shown(node, ESTIMATE_DIGITS if rough else digits)
 
     def limits(self, address: str) -> "list[Document]":
         """The statement about a result's limits."""
@@ -218,6 +224,11 @@ class Calculation:
             return value.text, value.unit
         value = shown(node, self.digits)
         return value.text, value.unit
+
+
+def node_unit(node: "Any") -> str:
+    """The unit of a node of a document; empty where it has none."""
+    return str(node.get("unit", "")) if isinstance(node, dict) else ""
 
 
 def shown(node: "Any", digits: int) -> Value:

@@ -43,7 +43,9 @@ def finding(case: Calculation) -> "Text":
             pieces = [*pieces[:-1], pieces[-1] + start + clause[0]] if pieces else [start + clause[0]]
             pieces += clause[1:]
     if not pieces:
-        return f"{case.name}: see section {case.section}."
+        # a sweep against a limit
+        messages = "; ".join(entry["message"] for entry in case.document.get("limits", ()))
+        return f"{case.name}: {messages or f'see section {case.section}'}."
     pieces[-1] += "."
     return tuple(pieces)
 
@@ -61,6 +63,8 @@ def found(case: Calculation) -> "list[str]":
         first = "none" if limited else ""
         for address in labels:
             node = node_at(case.results, address)
+            if isinstance(node, str) and node and not findings:
+                findings.append(address)  # slides down
             if not isinstance(node, dict) or isinstance(node.get("value"), list | str | None) or address in limited:
                 continue
             unit = node.get("unit", "-")
@@ -118,7 +122,7 @@ def _template(case: Calculation, address: str, node: "Any") -> str:
     label = case.labels().get(address) or "result"
     counts = isinstance(node, dict) and isinstance(node.get("value"), int) and not node.get("unit")
     if isinstance(node, str):
-        sentence = f"{label} "
+        sentence = f"{label} " if label.endswith(_ENDS) else f"{label}: "
     else:
         sentence = f"{label}: " if counts or _by_itself(label) else f"{subject(case, address)} {verb} "
     # a name may have braces of its own
@@ -148,7 +152,7 @@ def _shown(case: Calculation, address: str) -> "tuple[str, str]":
     # a task without findings may have been asked for another unit
     if typed and case.task is not None and case.task.findings:
         return typed, ""
-    value = case.value(address)
+    value = case.value(address, brief=True)
     return value.whole, f" ({value.coverage}: {value.interval})" if value.interval else ""
 
 

@@ -98,7 +98,7 @@ TWO = (
     [
         (("skid", "sight", *TWO, "--corner-before", "6 m", "--corner-aside", "1.8 m", "--eye-behind", "2 m",
           "--first-name", "Ford"),
-         "the second party came into sight **1.62154 s** before the impact, with the Ford **21.0801 m** from it at "
+         "the second party came into sight **1.622 s** before the impact, with the Ford **21.08 m** from it at "
          "**13 m/s**."),
         (("skid", "meet", *TWO, "--first-name", "car 2", "--second-name", "child"),
          "the child set out **5 s** before the impact, with car 2 **65 m** away at **13 m/s**."),
