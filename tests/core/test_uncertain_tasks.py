@@ -145,3 +145,17 @@ def test_samples_of_a_formula_that_branches_go_side_by_side(monkeypatch: pytest.
     assert outcome.status == 0
     # of a million cases those that are refused, and the few at the edges of what is admissible
     assert sum(alone) < 10_000
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        'gear mesh --first-teeth 12 --second-teeth 24 --module "3 mm" --first-profile-shift "0.6 ± 0.006" '
+        '--second-profile-shift "0.36 ± 0.004"',
+        'pendulum damped --length "1 m" --amplitude "60 ± 0.6 deg" --damping 0.02 --until "20 deg"',
+    ],
+)
+def test_a_task_that_takes_milliseconds_a_case_answers_few(call: str) -> None:
+    uncertainty = answer(*shlex.split(call))["numerics"]["uncertainty"]
+    assert uncertainty["evaluations"] < 500
+    assert max(entry["estimate"] for entry in uncertainty["results"].values()) < 0.02
