@@ -175,3 +175,17 @@ def test_a_result_that_physics_gives_to_single_cases_only_is_spread_as_well() ->
     assert results["twice"]["std"] == pytest.approx(0.2, rel=1e-3)
     assert results["half"]["std"] == pytest.approx(0.05, rel=1e-3)
     assert results["root"]["std"] == pytest.approx(0.1 / (2.0 * math.sqrt(3.0)), rel=1e-2)
+
+
+@pytest.mark.parametrize(
+    "call",
+    [
+        'gear mesh --first-teeth 12 --second-teeth 24 --module "3 mm" --first-profile-shift "0.6 ± 0.006" '
+        '--second-profile-shift "0.36 ± 0.004"',
+        'pendulum damped --length "1 m" --amplitude "60 ± 0.6 deg" --damping 0.02 --until "20 deg"',
+    ],
+)
+def test_a_task_that_takes_milliseconds_a_case_answers_few(call: str) -> None:
+    uncertainty = answer(*shlex.split(call))["numerics"]["uncertainty"]
+    assert uncertainty["evaluations"] < 500
+    assert max(entry["estimate"] for entry in uncertainty["results"].values()) < 0.02

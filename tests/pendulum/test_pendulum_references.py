@@ -10,7 +10,7 @@ import pytest
 from dynamics_cli.numerics.elliptic import functions
 from dynamics_cli.pendulum.compound import CentralInertia, Gyration, PivotInertia, compound, rod
 from dynamics_cli.pendulum.conical import ConeAngle, ConeHeight, ConePeriod, ConeSpeed, conical
-from dynamics_cli.pendulum.damped import _by_energy, _integrated, damped
+from dynamics_cli.pendulum.damped import FINE, _by_energy, _integrated, _sampled, damped
 from dynamics_cli.pendulum.design import design
 from dynamics_cli.pendulum.simple import Amplitude, BottomSpeed, FromTop, State, simple
 
@@ -161,3 +161,14 @@ def test_drag_by_the_square_alone_in_closed_form_is_as_integrated(beta: float, s
     for (time, angle), (other_time, other_angle) in zip(closed, run, strict=True):
         assert time == pytest.approx(other_time, rel=1e-10)
         assert angle == pytest.approx(other_angle, rel=1e-10)
+
+
+@pytest.mark.parametrize(
+    ("zeta", "beta", "size", "goal"), [(0.01, 0.02, 2.9, 1e-2), (0.3, 0.0, 1.0, 1e-6), (1.5, 0.0, 1.0, 0.1)]
+)
+def test_samples_turn_where_and_when_single_answers_do(zeta: float, beta: float, size: float, goal: float) -> None:
+    exact = _integrated(3.13, zeta, beta, size, goal, FINE, 200)
+    sampled = _sampled(3.13, zeta, beta, size, goal, 200)
+    assert len(sampled) == len(exact)
+    for one, other in zip(sampled, exact, strict=True):
+        assert one == pytest.approx(other, rel=1e-5)

@@ -2,7 +2,7 @@
 
 import math
 from bisect import bisect_left
-from itertools import pairwise
+from itertools import pairwise, product
 
 from dynamics_cli.balance.engines.crank import CrankRadius, Stroke, motion, require_rod
 from dynamics_cli.balance.engines.engine import Cylinder
@@ -182,14 +182,13 @@ def turning(
         (_Cylinder(points, ratio, aside, area * crank.radius, -reciprocating_mass * rim * rim), angles)
         for points, angles in _diagrams(diagram_points, fired, cycle)
     ]
-    # of samples only the mean is needed
     numbers = [k / turns for k in range(1 if drawing() else turns * highest_order + 1)]
     parts = [[(cylinder.wave(n, cycle), angles) for cylinder, angles in alike] for n in numbers]
     orders = [_order(n, waves) for n, waves in zip(numbers[1:], parts[1:], strict=True)]
     orders = [row for row in orders if row.torque > 0.0]
     table = _table(alike, cycle, count)
     gas, inertia = (math.fsum(0.5 * len(angles) * wave[i].x for wave, angles in parts[0]) for i in range(2))
-    high, low = max(table, key=lambda row: row.torque), min(table, key=lambda row: row.torque)
+    high, low = _extreme(table, 1.0), _extreme(table, -1.0)
     scale = abs(alike[0][0].mass) * len(fired) or 1.0
     swept = 2.0 * area * crank.radius * len(fired)
     return Turning(
@@ -298,22 +297,19 @@ class _Cylinder:
             gas_sine += gas * sine
             inertia_cosine += inertia * cosine
             inertia_sine += inertia * sine
-        factor = 2.0 / cycle
-        gas_wave = Phasor(factor * gas_cosine, factor * gas_sine)
-        return gas_wave, Phasor(factor * inertia_cosine, factor * inertia_sine)
+        part = 2.0 / cycle
+        return Phasor(part * gas_cosine, part * gas_sine), Phasor(part * inertia_cosine, part * inertia_sine)
 
     def _weighted(self) -> "list[tuple[float, float, float]]":
         """Angles of a quadrature over the cycle, with both torques times their weights."""
         places = []
         for (low, first), (high, second) in pairwise(self.points):
             panels = math.ceil((high - low) / PANEL)
-            for panel in range(panels):
-                for node, weight in legendre(NODES):
-                    share = (panel + node) / panels
-                    angle = low + share * (high - low)
-                    gas, inertia = self.torques(angle, first + share * (second - first))
-                    width = weight * (high - low) / panels
-                    places.append((angle, width * gas, width * inertia))
+            for panel, (node, weight) in product(range(panels), legendre(NODES)):
+                share = (panel + node) / panels
+                gas, inertia = self.torques(low + share * (high - low), first + share * (second - first))
+                width = weight * (high - low) / panels
+                places.append((low + share * (high - low), width * gas, width * inertia))
         return places
 
 
@@ -339,12 +335,16 @@ def _turned(order: float, angles: "list[float]") -> Phasor:
     return turn if turn.size > CANCELLED * len(angles) else Phasor(0.0, 0.0)
 
 
+def _extreme(table: "list[TorquePoint]", sign: float) -> TorquePoint:
+    """The row of the largest torque of a sense; of equal ones, as of cylinders that fire evenly, the first."""
+    top = max(sign * row.torque for row in table)
+    return next(row for row in table if sign * row.torque >= top - CANCELLED * abs(top))
+
+
 def _table(alike: "list[tuple[_Cylinder, list[float]]]", cycle: float, count: int) -> "list[TorquePoint]":
     rows = []
-    for k in range(count):
-        angle = cycle * k / count
+    for angle in (cycle * k / count for k in range(count)):
         parts = [cylinder.at(angle - fires, cycle) for cylinder, angles in alike for fires in angles]
         gas, inertia = (math.fsum(part[i] for part in parts) for i in range(2))
         rows.append(TorquePoint(angle, gas + inertia, gas, inertia))
-    first = rows[0]
-    return [*rows, TorquePoint(cycle, first.torque, first.gas, first.inertia)]
+    return [*rows, TorquePoint(cycle, rows[0].torque, rows[0].gas, rows[0].inertia)]
