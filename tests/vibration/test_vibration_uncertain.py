@@ -9,7 +9,9 @@ from harness import answer, run
 from dynamics_cli.records import Formula
 from dynamics_cli.sampling import Drawing
 from dynamics_cli.vibration.nonlinear.truth import balance_roots, jumps
+from dynamics_cli.vibration.shocks.pulses import Shape
 from dynamics_cli.vibration.shocks.recursion import followed
+from dynamics_cli.vibration.shocks.shock import Pulse, shock
 from dynamics_cli.vibration.systems.history import history
 from dynamics_cli.vibration.systems.inputs import Line
 from dynamics_cli.vibration.systems.loads import ForceLaw
@@ -88,3 +90,14 @@ def test_a_sample_of_a_history_is_its_answer() -> None:
     whole = peak()
     with Drawing():
         assert peak() == pytest.approx(whole, rel=SAMPLE)
+
+
+def test_a_sample_of_a_shock_spectrum_has_its_worst_point() -> None:
+    def worst() -> "tuple[float, float]":
+        spectrum = shock(input_=Pulse(Shape("half-sine"), 300.0, 0.011))
+        return spectrum.worst, spectrum.worst_frequency
+
+    whole = worst()
+    with Drawing():
+        assert worst() == whole
+        assert worst() == whole

@@ -17,6 +17,7 @@ from dynamics_cli.quantities import (
     VibrationSpeed,
 )
 from dynamics_cli.records import Advice, Columns, Numerics, record
+from dynamics_cli.sampling import cost, drawing, kept
 from dynamics_cli.vibration.shocks.pulses import Shape
 from dynamics_cli.vibration.single.oscillator import require_damping
 
@@ -25,6 +26,8 @@ if TYPE_CHECKING:
     from typing import Any
 
 MOST_POINTS = 2000
+# Of samples of uncertain inputs: under which name the worst frequency of the first is kept, and the seconds of each.
+WORST, COST = "worst frequency of a shock", 4e-3
 # A record at rest has no more than this of its peak at its ends.
 LEFT = 0.05
 
@@ -135,6 +138,8 @@ def shock(
     hertz = lowest * 2.0 ** (np.arange(count) / per_octave)
     if hertz[-1] < highest * (1.0 - 1e-9):
         hertz = np.append(hertz, highest)
+    if drawing():
+        hertz = _about_worst(hertz, damping_ratio, input_)
     of = Oscillators(2.0 * math.pi * hertz, damping_ratio)
     during, after, moved, source = _extremes(of, input_)
     high, low = np.maximum(during.high, after.high), np.minimum(during.low, after.low)
@@ -156,6 +161,20 @@ def shock(
         numerics=Numerics("closed form on each piece, extremes by Newton's method between samples"),
         advice=source.advice,
     )  # fmt: skip
+
+
+def _about_worst(hertz: "Any", damping_ratio: float, input_: "Pulse | Recorded") -> "Any":
+    """Of a sample of uncertain inputs, the frequencies within an octave of the worst of the first one."""
+    import numpy as np
+
+    from dynamics_cli.vibration.shocks.pulses import Oscillators
+
+    cost(0.0, COST, 1)
+    if WORST not in kept():
+        during, after, _, _ = _extremes(Oscillators(2.0 * math.pi * hertz, damping_ratio), input_)
+        sizes = np.maximum(np.maximum(during.high, after.high), -np.minimum(during.low, after.low))
+        kept()[WORST] = float(hertz[sizes.argmax()])
+    return hertz[abs(np.log2(hertz / kept()[WORST])) <= 1.0]
 
 
 class _Source:
