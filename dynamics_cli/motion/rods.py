@@ -83,15 +83,20 @@ class Rods:
 
     def _rate_by_arrays(self, state: "Any") -> "Any":
         import numpy as np
+        from scipy.linalg.lapack import dposv
 
         n = self.n
         q, w = state[:n], state[n:]
         if self._arrays is None:
             self._arrays = np.array(self.a), self.gravity * np.array(self.b)
         a, weights = self._arrays
-        apart = q[:, None] - q[None, :]
-        right = -(a * np.sin(apart)) @ (w * w) - weights * np.sin(q)
-        return np.concatenate((w, np.linalg.solve(a * np.cos(apart), right)))
+        s, c = np.sin(q), np.cos(q)
+        squares = w * w
+        right = c * (a @ (s * squares)) - s * (a @ (c * squares)) - weights * s
+        matrix = a * (np.multiply.outer(c, c) + np.multiply.outer(s, s))
+        _, turning, info = dposv(matrix, right)
+        require(info == 0, "the mass matrix is singular", code="massless", hint="give every rod a mass")
+        return np.concatenate((w, turning))
 
     def pin_forces(self, state: "Sequence[float]") -> "list[float]":
         """The force in the pin at the upper end of each rod: what moves and carries all below it."""

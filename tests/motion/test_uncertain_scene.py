@@ -2,11 +2,12 @@
 
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 from dynamics_cli.motion.bodies.records import Driver, Link, Load, Scene, Slide, Spring, Torsion
 from dynamics_cli.motion.scenes.scene import scene
-from dynamics_cli.motion.scenes.side_by_side import scenes
+from dynamics_cli.motion.scenes.side_by_side import ENOUGH, scenes
 from dynamics_cli.numerics.linkages.records import Pin
 from dynamics_cli.records import Formula
 from dynamics_cli.sampling import Drawing
@@ -108,3 +109,13 @@ def test_a_driven_slider_crank_side_by_side_moves_as_alone() -> None:
     for one, other in zip((together[0], together[11]), alone, strict=True):
         for name in ("x", "largest_force", "driver_work", "load_work"):
             assert getattr(one, name) == pytest.approx(getattr(other, name), rel=1e-6), name
+
+
+def test_later_samples_are_rougher_only_as_far_as_is_stated() -> None:
+    cases = [{"scene": _linked(k), "duration": 0.5, "follow": "B"} for k in range(12)]
+    with Drawing() as drawn:
+        first, later = scenes(cases), scenes(cases)
+    assert 0.0 < drawn.missed < ENOUGH
+    for name in ("x", "y", "largest_force", "damper_loss"):
+        fine, rough = (np.array([getattr(made, name) for made in part]) for part in (first, later))
+        assert np.abs(fine - rough).max() <= 2.0 * drawn.missed * fine.std()

@@ -24,7 +24,9 @@ def test_gyro() -> None:
     made = gyro(axial=0.03, transverse=0.02, spin=100 * math.pi, precession=2.0, angle=math.pi / 3)
     near(made.torque, "16.34151478618364943")
     assert made.simple_share == pytest.approx(1.0, rel=2e-3)
-    assert gyro(axial=0.03, transverse=0.02, spin=-300.0, precession=2.0).sense.endswith("away from the precession axis")
+    assert gyro(axial=0.03, transverse=0.02, spin=-300.0, precession=2.0).sense.endswith(
+        "away from the precession axis"
+    )
 
 
 @pytest.mark.parametrize(
