@@ -4,6 +4,11 @@ from dynamics_cli.core.answering.task import Family, Model, Task
 
 BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, "
 PICTURES = "dynamics_cli.human.pictures"
+WORKER = {
+    "mass": "75 kg", "sex": "male", "head": "24 cm", "trunk": "60 cm", "shoulder": "50 cm",
+    "upper_arm": "28 cm", "forearm": "27 cm", "hand": "8.5 cm", "thigh": "42 cm",
+    "shank": "43 cm", "foot": "26 cm",
+}  # fmt: skip
 NOTES = (
     "Every shape has a --length. The ends of a frustum: --base-radius and --top-radius, or --base-girth and "
     "--top-girth; of a stadium: --base-girth and --base-width, --top-girth and --top-width; of an elliptical solid: "
@@ -32,6 +37,7 @@ SEGMENTS = Task(
         'dynamics human segments --mass "80 kg" --height "1.80 m" --segment-table zatsiorsky',
     ),
     table="segments",
+    scene={"mass": "75 kg", "sex": "male", "thigh": "42 cm"},
     arrays=False,
 )  # fmt: skip
 
@@ -59,6 +65,7 @@ POSTURE = Task(
         'dynamics human posture --mass "75 kg" --sex male --joint-centre @examples/lifting/centres.csv',
     ),
     table="segments",
+    scene=WORKER,
     plot=f"{PICTURES}:posture",
     arrays=False,
 )  # fmt: skip
@@ -89,6 +96,7 @@ MOMENTS = Task(
         '--hand-force "-120, 0 N"',
     ),
     table="joints",
+    scene=WORKER,
     plot=f"{PICTURES}:moments",
     arrays=False,
 )  # fmt: skip

@@ -8,6 +8,21 @@ if TYPE_CHECKING:
 
 # Other names of a parameter, and its names here; those that a task has are offered.
 SYNONYMS = {
+    "stature": "height",
+    "gender": "sex",
+    "body-mass": "mass",
+    "bodyweight": "mass",
+    "calf": "shank",
+    "lower-leg": "shank",
+    "upper-leg": "thigh",
+    "lower-arm": "forearm",
+    "box": "load",
+    "lifted": "load",
+    "dorsiflexion": "ankle-flexion",
+    "grf": "ground-force",
+    "cop": "ground-at",
+    "com-height": "centre-height",
+    "initial-angle": "start",
     "mu": "friction",
     "f": "friction",
     "coefficient-of-friction": "friction",
