@@ -129,6 +129,7 @@ FILES: dict[str, Origin] = {
         "poses by products of elementary motions, Jacobians by difference quotients, inverses by Newton's method, "
         "torques by Lagrange's equations of energies",
         "130 digits", "", "drawn",
+    ),
     "human": Origin(
         "human", {},
         "figures as chains of complex numbers, moments by the change of potential energy, limbs by one sum, falls and "
