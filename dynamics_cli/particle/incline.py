@@ -161,8 +161,12 @@ def _after(start: float, ahead: float, distance: "float | None") -> "tuple[float
 class Circle:
     """A bend with a bank."""
 
-    greatest_speed: Annotated[RoadSpeed | None, "Above it it slides outwards; none where no speed is too great [m/s]."]
-    least_speed: Annotated[RoadSpeed, "Below it it slides inwards; 0 where it can stand [m/s]."]
+    greatest_speed: Annotated[
+        RoadSpeed | None, "Above it it slides outwards; none where no speed is too great, or without a friction [m/s]."
+    ]
+    least_speed: Annotated[
+        RoadSpeed | None, "Below it it slides inwards; 0 where it can stand, none without a friction [m/s]."
+    ]
     free_speed: Annotated[RoadSpeed, "At it no friction is needed [m/s]."]
     needed_friction: Annotated[Friction | None, "Friction that the speed needs [-]."]
     slides: Annotated[Text | None, "What happens at the speed given."]
@@ -173,7 +177,7 @@ class Circle:
 def circle(
     *,
     radius: Annotated[Length, "Radius of the bend, e.g. 60 m."],
-    friction: Annotated[Friction, "Coefficient of friction, e.g. 0.6."],
+    friction: Annotated[Friction | None, "Coefficient of friction, for the limits, e.g. 0.6."] = None,
     bank: Annotated[Angle, "Bank of the road, down to the inside positive, e.g. 5 deg."] = 0.0,
     speed: Annotated[RoadSpeed | None, "A speed to judge, e.g. 70 km/h."] = None,
     mass: Annotated[Mass | None, "Mass, for the force, e.g. 1500 kg."] = None,
@@ -209,12 +213,7 @@ def circle(
             hint="give an angle between -90 and 90 deg")  # fmt: skip
     sine, cosine = sin(bank), cos(bank)
     scale = gravity * radius
-    outer, inner = cosine - friction * sine, cosine + friction * sine
-    up, down = sine + friction * cosine, sine - friction * cosine
-    require((up > 0.0) | (outer <= 0.0), "it slides down the outside at every speed", code="slides",
-            hint="the bank falls to the outside by more than friction holds")  # fmt: skip
-    greatest = sqrt(scale * up / outer) if plain(outer) > 0.0 else None
-    least = sqrt(scale * down / inner) if plain(down) > 0.0 and plain(inner) > 0.0 else 0.0 * scale
+    greatest, least = (None, None) if friction is None else _limits(sine, cosine, friction, scale)
     needed = slides = push = normal = None
     if speed is not None:
         push = speed * speed / radius
@@ -223,13 +222,9 @@ def circle(
         require(normal_share > 0.0, "at {speed} it leaves the road", speed=(speed, RoadSpeed), code="leaves",
                 hint="the road falls to the outside: give a smaller speed")  # fmt: skip
         needed = absolute(across) / normal_share
-        slides = (
-            "holds"
-            if plain(needed) <= plain(friction)
-            else "slides outwards"
-            if plain(across) > 0.0
-            else "slides inwards"
-        )
+        if friction is not None:
+            way = "outwards" if plain(across) > 0.0 else "inwards"
+            slides = "holds" if plain(needed) <= plain(friction) else f"slides {way}"
         normal = None if mass is None else mass * normal_share
     return Circle(
         greatest_speed=greatest,
@@ -240,3 +235,13 @@ def circle(
         acceleration=push,
         normal_force=normal,
     )
+
+
+def _limits(sine: float, cosine: float, friction: float, scale: float) -> "tuple[float | None, float | None]":
+    """The greatest and the least speed that hold, of a bank by its sine and cosine; `scale` is g·R."""
+    outer, inner = cosine - friction * sine, cosine + friction * sine
+    up, down = sine + friction * cosine, sine - friction * cosine
+    require((up > 0.0) | (outer <= 0.0), "it slides down the outside at every speed", code="slides",
+            hint="the bank falls to the outside by more than friction holds")  # fmt: skip
+    greatest = sqrt(scale * up / outer) if plain(outer) > 0.0 else None
+    return greatest, sqrt(scale * down / inner) if plain(down) > 0.0 and plain(inner) > 0.0 else 0.0 * scale

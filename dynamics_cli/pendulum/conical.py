@@ -50,6 +50,13 @@ class ConeHeight:
 
 
 @record
+class BobSpeed:
+    """A cone by the speed of the mass on its circle."""
+
+    speed: Annotated[Speed, "Speed of the mass on its circle, e.g. 2 m/s."]
+
+
+@record
 class Conical:
     """The circle of a conical pendulum, and how it is disturbed."""
 
@@ -68,7 +75,7 @@ class Conical:
 def conical(
     *,
     length: Annotated[Length, "Length of the string, e.g. 1 m."],
-    cone: Annotated[ConeAngle | ConeSpeed | ConePeriod | ConeHeight, "Which circle it is."],
+    cone: Annotated[ConeAngle | ConeSpeed | ConePeriod | ConeHeight | BobSpeed, "Which circle it is."],
     mass: Annotated[Mass | None, "The point mass, for the tension, e.g. 0.5 kg."] = None,
     gravity: Annotated[Gravity, "Acceleration of gravity [m/s^2]."] = STANDARD_GRAVITY,
 ) -> Conical:
@@ -76,7 +83,8 @@ def conical(
 
     Equation
     --------
-    cos α = g/(L·Ω²), from sin ½α = √((L·Ω² − g)/(2·L·Ω²)); disturbance κ = Ω·√(1 + 3·cos²α), apsidal angle π·Ω/κ.
+    cos α = g/(L·Ω²), from sin ½α = √((L·Ω² − g)/(2·L·Ω²)); by the speed, sin ½α = √(c/(2 + c + √(c² + 4))) with
+    c = v²/(g·L); disturbance κ = Ω·√(1 + 3·cos²α), apsidal angle π·Ω/κ.
 
     Returns
     -------
@@ -119,6 +127,9 @@ def conical(
         sine = sqrt((length - cone.height) * (length + cone.height)) / length
         rotation = sqrt(gravity / cone.height)
         angle = angle_of(sine, cosine)
+    elif isinstance(cone, BobSpeed):
+        angle, sine, cosine = _by_speed(cone.speed * cone.speed / (gravity * length))
+        rotation = sqrt(gravity / (length * cosine))
     else:
         rotation = abs(cone.rotation) if isinstance(cone, ConeSpeed) else 2.0 * pi / cone.period
         needed = length * rotation * rotation
@@ -144,3 +155,12 @@ def conical(
         apsidal_angle=pi / disturbed,
         least_rotation=least,
     )
+
+
+def _by_speed(share: float) -> "tuple[float, float, float]":
+    """Angle, sine and cosine where v² = share·g·L: cos α = 2/(c + √(c² + 4)), and ½α without a difference."""
+    require(share > 0.0, "at rest it hangs straight down", code="too-slow", hint="give a speed above zero")
+    root = sqrt(share * share + 4.0)
+    cosine = 2.0 / (share + root)
+    half_sine, half_cosine = sqrt(share / (2.0 + share + root)), sqrt(0.5 * (1.0 + cosine))
+    return 2.0 * angle_of(half_sine, half_cosine), 2.0 * half_sine * half_cosine, cosine

@@ -171,6 +171,9 @@ def test_bends_at_their_limits() -> None:
         free = circle(radius=60.0, friction=0.2, bank=bank, speed=made.free_speed)
         assert free.needed_friction == pytest.approx(0.0, abs=1e-15)
     assert circle(radius=60.0, friction=1.5, bank=0.7).greatest_speed is None
+    ideal = circle(radius=60.0, bank=0.3, speed=10.0)
+    assert (ideal.greatest_speed, ideal.least_speed, ideal.slides) == (None, None, None)
+    assert ideal.free_speed == circle(radius=60.0, friction=0.2, bank=0.3).free_speed
 
 
 def test_a_body_at_rest_in_space_circles_backwards_on_a_turntable() -> None:

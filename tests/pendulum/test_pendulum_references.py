@@ -6,10 +6,11 @@ from pathlib import Path
 from typing import Any
 
 import pytest
+from mpmath import mp
 
 from dynamics_cli.numerics.elliptic import functions
 from dynamics_cli.pendulum.compound import CentralInertia, Gyration, PivotInertia, compound, rod
-from dynamics_cli.pendulum.conical import ConeAngle, ConeHeight, ConePeriod, ConeSpeed, conical
+from dynamics_cli.pendulum.conical import BobSpeed, ConeAngle, ConeHeight, ConePeriod, ConeSpeed, conical
 from dynamics_cli.pendulum.damped import FINE, _by_energy, _integrated, _sampled, damped
 from dynamics_cli.pendulum.design import design
 from dynamics_cli.pendulum.simple import Amplitude, BottomSpeed, FromTop, State, simple
@@ -123,7 +124,7 @@ def test_cone() -> None:
     made = conical(length=1.0, cone=ConeAngle(math.radians(40.0)))
     near(2.0 * math.pi * made.disturbance / made.rotation, REFERENCES["cone"]["disturbance"])
     near(conical(length=2.0, cone=ConeSpeed(2.5)).angle, REFERENCES["cone"]["angle"])
-    for cone in (ConeSpeed(made.rotation), ConePeriod(made.period), ConeHeight(made.height)):
+    for cone in (ConeSpeed(made.rotation), ConePeriod(made.period), ConeHeight(made.height), BobSpeed(made.speed)):
         assert conical(length=1.0, cone=cone).angle == pytest.approx(math.radians(40.0), rel=1e-14)
 
 
@@ -172,3 +173,10 @@ def test_samples_turn_where_and_when_single_answers_do(zeta: float, beta: float,
     assert len(sampled) == len(exact)
     for one, other in zip(sampled, exact, strict=True):
         assert one == pytest.approx(other, rel=1e-5)
+
+
+def test_a_slow_bob_keeps_the_digits_of_its_angle() -> None:
+    with mp.workdps(40):
+        share = mp.mpf(1e-6) ** 2 / mp.mpf(G)
+        wanted = mp.acos((mp.sqrt(share * share + 4) - share) / 2)
+        assert conical(length=1.0, cone=BobSpeed(1e-6)).angle == pytest.approx(float(wanted), rel=1e-15)

@@ -132,6 +132,7 @@ SYNONYMS = {
     "r": "radius",
     "l": "length",
     "h": "height",
+    "height": "rise drop centre-height",
     "theta": "angle crank-angle exit-heading",
     "phi": "exit-heading hand-angle",
     "psi": "approach-heading",
