@@ -31,6 +31,11 @@ class Run:
         self.split = system.tree.coordinates
         self.gap = self.off_unit = 0.0
         self.calls = 0
+        self.guide = None
+        if loops is not None:
+            from dynamics_cli.multibody.motions.guided import Guided
+
+            self.guide = Guided(loops)
         self.states: list[list[float]] = []
         self.energies: list[float] = []
         self.kinetics: list[float] = []
@@ -47,8 +52,8 @@ class Run:
         system = self.system
         springs = system.spring_efforts()
         driven = [motor + spring for motor, spring in zip(system.efforts, springs, strict=True)]
-        if self.loops is not None:
-            return self.loops.accelerations(driven)[0].tolist()  # type: ignore[no-any-return]
+        if self.guide is not None:
+            return self.guide.accelerations(driven)
         return forward(system.tree, system.frames, system.speeds, driven, ground=system.base, loads=system.loads)
 
     def worked(self) -> bool:
@@ -73,22 +78,31 @@ class Run:
         return [*rates(system.tree, system.coordinates, system.speeds), *self.accelerations(), power]
 
     def _march(self, state: "list[float]") -> None:
-        from scipy.integrate import solve_ivp
+        """Follow the motion to its end, put right after the first step beyond each stretch."""
+        from scipy.integrate import DOP853
 
         self._keep(state)
         bound = self.loops is not None or any(link.joint == BALL for link in self.system.tree.links)
-        share = max(len(self.times) // STRETCHES, 1) if bound else len(self.times)
-        for begin in range(0, len(self.times) - 1, share):
-            stretch = self.times[begin : begin + share + 1]
-            solved: Any = solve_ivp(
-                self._rate, (stretch[0], stretch[-1]), state, method="DOP853", rtol=self.tolerance,
-                atol=self.tolerance, t_eval=stretch[1:],
-            )  # fmt: skip
-            require(bool(solved.success), "the integration stopped", code="no-convergence")
-            for column in solved.y.T.tolist()[:-1]:
-                self._keep(column)
-            state = self._restored(solved.y[:, -1].tolist())
-            self._keep(state)
+        begin, end = self.times[0], self.times[-1]
+        stretches = [begin + (end - begin) * n / STRETCHES for n in range(1, STRETCHES)] if bound else []
+        step: float | None = None
+        while begin < end:
+            solver: Any = DOP853(self._rate, begin, state, end, first_step=step, rtol=self.tolerance, atol=self.tolerance)
+            stop = next((t for t in stretches if t > begin), end)
+            while solver.status == "running" and solver.t < stop:
+                solver.step()
+                require(solver.status != "failed", "the integration stopped", code="no-convergence")
+                self._sample(solver)
+            begin, step = solver.t, min(solver.h_abs, end - solver.t) or None
+            state = self._restored(solver.y.tolist())
+        self._keep(state)
+
+    def _sample(self, solver: "Any") -> None:
+        """Keep the states at the times within the last step, but for the end."""
+        within = None
+        while len(self.states) < len(self.times) - 1 and self.times[len(self.states)] <= solver.t:
+            within = within or solver.dense_output()
+            self._keep(within(self.times[len(self.states)]).tolist())
 
     def _restored(self, state: "list[float]") -> "list[float]":
         """The state with loops closed and quaternions of length one."""

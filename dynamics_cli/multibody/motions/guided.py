@@ -1,0 +1,110 @@
+"""Accelerations within loops at every instant of a motion, on plain floats and without the forces of the loops.
+
+Elimination with full pivots chooses at every instant the speeds that follow from the others: y_d = p − R·y_f.
+"""
+
+from dynamics_cli.errors import require
+from dynamics_cli.multibody.bodies.loops import COUNTS
+from dynamics_cli.numerics.trees.matrix import mass_matrix
+from dynamics_cli.numerics.trees.newton_euler import inverse, sweep
+
+TYPE_CHECKING = False
+if TYPE_CHECKING:
+    from collections.abc import Sequence
+
+    from dynamics_cli.multibody.bodies.loops import Loops
+
+# The motion that the loops leave free needs inertia above this share of the largest.
+RESISTS = 1e-13
+
+
+class Guided:
+    """A system whose speeds keep the conditions of its loops."""
+
+    def __init__(self, loops: "Loops") -> None:
+        self.loops = loops
+        self.rows: list[float] = loops.row_scales.tolist()
+        self.columns: list[float] = loops.column_scales.tolist()
+
+    def accelerations(self, efforts: "Sequence[float]") -> "list[float]":
+        """Rates of the speeds: (CᵀM·C)·ż = Cᵀ(F − h − M·p), with rates p that keep the conditions, and M·p + h by
+        recursive Newton–Euler."""
+        system = self.loops.system
+        tree, frames, columns = system.tree, system.frames, self.columns
+        count = len(columns)
+        equations = self._conditions()
+        dependent = eliminated(equations, count)
+        free = [column for column in range(count) if column not in dependent]
+        rates = [0.0] * count
+        for column, row in dependent.items():
+            rates[column] = row[count] * columns[column]
+        if not free:
+            return rates
+        held, _ = inverse(tree, frames, system.speeds, rates, ground=system.base, loads=system.loads)
+        left = [effort - bias for effort, bias in zip(efforts, held, strict=True)]
+        # what every speed does per unit of a free one
+        ways = [[(n, columns[n])] + [(d, -row[n] * columns[d]) for d, row in dependent.items() if row[n]] for n in free]
+        matrix = mass_matrix(tree, frames)
+        heavy = [[sum(part * line[k] for k, part in way) for line in matrix] for way in ways]
+        reduced = [[sum(part * m[k] for k, part in way) for way in ways] for m in heavy]
+        for row, way in zip(reduced, ways, strict=True):
+            row.append(sum(part * left[k] for k, part in way))
+        for size, way in zip(solved(reduced), ways, strict=True):
+            for k, part in way:
+                rates[k] += size * part
+        return rates
+
+    def _conditions(self) -> "list[list[float]]":
+        """The conditions on the rates of the speeds, free of units, with their right-hand sides."""
+        system = self.loops.system
+        motions = sweep(system.tree, system.frames, system.speeds)
+        out: list[list[float]] = []
+        for one in self.loops.closures:
+            drifts = one.drift(system.ground, motions)
+            for row, drift in zip(one.rows(system, system.ground), drifts, strict=True):
+                scale = self.rows[len(out)]
+                out.append([scale * x * y for x, y in zip(row, self.columns, strict=True)] + [-scale * drift])
+        return out
+
+
+def eliminated(rows: "list[list[float]]", count: int) -> "dict[int, list[float]]":
+    """Gauss–Jordan elimination with full pivots: for each column that follows from others, the row that gives it.
+
+    Conditions that repeat others are left out. The rows are used up.
+    """
+    out: dict[int, list[float]] = {}
+    largest = 0.0
+    while rows and len(out) < count:
+        size, line, column = max(
+            (abs(x), r, c) for r, row in enumerate(rows) for c, x in enumerate(row[:count]) if c not in out
+        )
+        largest = largest or size
+        if not size > COUNTS * largest:
+            break
+        pivot = rows.pop(line)
+        over = 1.0 / pivot[column]
+        pivot = [x * over for x in pivot]
+        for group in (rows, out.values()):
+            for row in group:
+                factor = row[column]
+                if factor:
+                    row[:] = [x - factor * y for x, y in zip(row, pivot, strict=True)]
+        out[column] = pivot
+    return out
+
+
+def solved(rows: "list[list[float]]") -> "list[float]":
+    """Solution of symmetric positive equations, the right-hand side in the last column."""
+    count = len(rows)
+    largest = max(rows[k][k] for k in range(count))
+    for k, pivot in enumerate(rows):
+        require(pivot[k] > RESISTS * largest, "nothing resists a motion that the loops leave free", code="no-inertia",
+                hint="give the bodies that move freely mass or a tensor")  # fmt: skip
+        for row in rows[k + 1 :]:
+            factor = row[k] / pivot[k]
+            row[k:] = [x - factor * y for x, y in zip(row[k:], pivot[k:], strict=True)]
+    out = [0.0] * count
+    for k in range(count - 1, -1, -1):
+        row = rows[k]
+        out[k] = (row[count] - sum(row[n] * out[n] for n in range(k + 1, count))) / row[k]
+    return out
