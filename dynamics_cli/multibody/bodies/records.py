@@ -16,6 +16,7 @@ from dynamics_cli.quantities import (
     Length,
     Mass,
     Quaternion,
+    Size,
     SpacePosition,
     Speed,
     Stiffness,
@@ -119,9 +120,23 @@ class Loop:
 
 
 @record
+class Spring:
+    """A spring with a damper between a point of one body and a point of another."""
+
+    first: Annotated[Text, "One body."]
+    second: Annotated[Text, "The other; ground by default."] = GROUND
+    first_at: Annotated[SpacePosition, "Its end on the first, in that body's axes [m]."] = ORIGIN
+    second_at: Annotated[SpacePosition, "Its end on the second, in that body's axes [m]."] = ORIGIN
+    stiffness: Annotated[Stiffness, "Its stiffness, e.g. 2 N/mm."] = 0.0
+    free_length: Annotated[Size | None, "Its free length; that in the scene if left out, e.g. 300 mm."] = None
+    damping: Annotated[Damping, "Force per speed of a damper beside it, e.g. 50 N*s/m."] = 0.0
+
+
+@record
 class Scene:
     """Bodies in space."""
 
     bodies: Annotated[tuple[Body, ...], "The bodies, in any order."] = ()
     loads: Annotated[tuple[Load, ...], "Forces and moments from outside, besides weight."] = ()
     loops: Annotated[tuple[Loop, ...], "Joints that close loops."] = ()
+    springs: Annotated[tuple[Spring, ...], "Springs and dampers between points of two bodies."] = ()

@@ -2,7 +2,8 @@
 
 from dynamics_cli.errors import UsageError, require, worded
 from dynamics_cli.multibody.bodies.ordering import ordered
-from dynamics_cli.multibody.bodies.records import GROUND, ORIGIN, Body, Load, Scene, Upward
+from dynamics_cli.multibody.bodies.records import GROUND, ORIGIN, Body, Scene, Upward
+from dynamics_cli.multibody.bodies.springs import PointSpring, spring_wrenches
 from dynamics_cli.numerics.eigen3.jacobi import eigen
 from dynamics_cli.numerics.elementary import sqrt
 from dynamics_cli.numerics.number import plain
@@ -60,7 +61,8 @@ class System:
         self.gravity = pull
         # the weight of things, as an upward acceleration of the ground
         self.base: Vector = tuple(pull * x for x in UNITS["xyz".index(up)]) if up != "none" else ORIGIN  # type: ignore[assignment]
-        self.loads = loads_of(self, scene.loads)
+        self.between = [PointSpring(self, spring, n) for n, spring in enumerate(scene.springs, 1)]
+        self.loads = loads_of(self)
 
     def at(self, coordinates: "list[float]", speeds: "list[float]") -> None:
         """Put the bodies into another state."""
@@ -262,16 +264,18 @@ def _require_tensor(name: str, tensor: "Tensor") -> None:
     )  # fmt: skip
 
 
-def loads_of(system: System, loads: "Sequence[Load]") -> "list[Wrench | None]":
-    """Of each link the force and the moment about its origin of all loads, in its own axes."""
+def loads_of(system: System) -> "list[Wrench | None]":
+    """Of each link the force and the moment about its origin of loads and of springs between points, in its own axes."""
     out: list[Wrench | None] = [None] * len(system.tree.links)
-    for load in loads:
+    acting = spring_wrenches(system)
+    for load in system.scene.loads:
         k = system.body_link(load.body)
         force, moment = load.force, load.moment
         if load.axes == "ground":
             rotation = system.ground[k][0]
             force, moment = back(rotation, force), back(rotation, moment)
-        moment = add(moment, cross(load.at, force))
+        acting.append((k, (force, add(moment, cross(load.at, force)))))
+    for k, (force, moment) in acting:
         before = out[k]
         out[k] = (force, moment) if before is None else (add(before[0], force), add(before[1], moment))
     return out

@@ -1,6 +1,6 @@
 """Accelerations within loops at every instant of a motion, on plain floats and without the forces of the loops.
 
-Elimination with full pivots chooses at every instant the speeds that follow from the others: y_d = p − R·y_f.
+Elimination with full pivots chooses at every instant the speeds that follow from the others: ẏ_d = p − R·ẏ_f.
 """
 
 from dynamics_cli.errors import require
@@ -27,32 +27,13 @@ class Guided:
         self.columns: list[float] = loops.column_scales.tolist()
 
     def accelerations(self, efforts: "Sequence[float]") -> "list[float]":
-        """Rates of the speeds: (CᵀM·C)·ż = Cᵀ(F − h − M·p), with rates p that keep the conditions, and M·p + h by
-        recursive Newton–Euler."""
+        """Rates of the speeds where the system stands."""
         system = self.loops.system
-        tree, frames, columns = system.tree, system.frames, self.columns
-        count = len(columns)
-        equations = self._conditions()
-        dependent = eliminated(equations, count)
-        free = [column for column in range(count) if column not in dependent]
-        rates = [0.0] * count
-        for column, row in dependent.items():
-            rates[column] = row[count] * columns[column]
-        if not free:
-            return rates
-        held, _ = inverse(tree, frames, system.speeds, rates, ground=system.base, loads=system.loads)
+        count = len(self.columns)
+        dependent = eliminated(self._conditions(), count)
+        held, _ = inverse(system.tree, system.frames, system.speeds, ground=system.base, loads=system.loads)
         left = [effort - bias for effort, bias in zip(efforts, held, strict=True)]
-        # what every speed does per unit of a free one
-        ways = [[(n, columns[n])] + [(d, -row[n] * columns[d]) for d, row in dependent.items() if row[n]] for n in free]
-        matrix = mass_matrix(tree, frames)
-        heavy = [[sum(part * line[k] for k, part in way) for line in matrix] for way in ways]
-        reduced = [[sum(part * m[k] for k, part in way) for way in ways] for m in heavy]
-        for row, way in zip(reduced, ways, strict=True):
-            row.append(sum(part * left[k] for k, part in way))
-        for size, way in zip(solved(reduced), ways, strict=True):
-            for k, part in way:
-                rates[k] += size * part
-        return rates
+        return reduced_rates(dependent, self.columns, mass_matrix(system.tree, system.frames), left)
 
     def _conditions(self) -> "list[list[float]]":
         """The conditions on the rates of the speeds, free of units, with their right-hand sides."""
@@ -67,29 +48,55 @@ class Guided:
         return out
 
 
+def reduced_rates(
+    dependent: "dict[int, list[float]]", scales: "list[float]", matrix: "list[list[float]]", left: "list[float]"
+) -> "list[float]":
+    """Rates of the speeds by those that are free: (CᵀM·C)·ż = Cᵀ(F − h − M·p), with rates p that keep the conditions.
+
+    `left` is F − h; the rows of `dependent` are free of units by `scales`.
+    """
+    count = len(scales)
+    rates = [0.0] * count
+    for column, row in dependent.items():
+        rates[column] = row[count] * scales[column]
+    free = [column for column in range(count) if column not in dependent]
+    if not free:
+        return rates
+    # what every speed does per unit of a free one
+    ways = [[(n, scales[n])] + [(d, -row[n] * scales[d]) for d, row in dependent.items() if row[n]] for n in free]
+    short = [f - sum([a * b for a, b in zip(line, rates, strict=True)]) for f, line in zip(left, matrix, strict=True)]
+    heavy = [[sum([part * line[k] for k, part in way]) for line in matrix] for way in ways]
+    reduced = [[sum([part * m[k] for k, part in way]) for way in ways] for m in heavy]
+    for row, way in zip(reduced, ways, strict=True):
+        row.append(sum([part * short[k] for k, part in way]))
+    for size, way in zip(solved(reduced), ways, strict=True):
+        for k, part in way:
+            rates[k] += size * part
+    return rates
+
+
 def eliminated(rows: "list[list[float]]", count: int) -> "dict[int, list[float]]":
     """Gauss–Jordan elimination with full pivots: for each column that follows from others, the row that gives it.
 
     Conditions that repeat others are left out. The rows are used up.
     """
     out: dict[int, list[float]] = {}
+    left = list(range(count))
     largest = 0.0
-    while rows and len(out) < count:
-        size, line, column = max(
-            (abs(x), r, c) for r, row in enumerate(rows) for c, x in enumerate(row[:count]) if c not in out
-        )
+    while rows and left:
+        size, line, column = max([(abs(row[c]), r, c) for r, row in enumerate(rows) for c in left])
         largest = largest or size
         if not size > COUNTS * largest:
             break
         pivot = rows.pop(line)
         over = 1.0 / pivot[column]
         pivot = [x * over for x in pivot]
-        for group in (rows, out.values()):
-            for row in group:
-                factor = row[column]
-                if factor:
-                    row[:] = [x - factor * y for x, y in zip(row, pivot, strict=True)]
+        for row in [*rows, *out.values()]:
+            factor = row[column]
+            if factor:
+                row[:] = [x - factor * y for x, y in zip(row, pivot, strict=True)]
         out[column] = pivot
+        left.remove(column)
     return out
 
 

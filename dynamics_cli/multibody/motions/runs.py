@@ -16,11 +16,25 @@ if TYPE_CHECKING:
 
     from dynamics_cli.multibody.bodies.loops import Loops
     from dynamics_cli.multibody.bodies.system import System
+    from dynamics_cli.multibody.motions.guided import Guided
+    from dynamics_cli.multibody.motions.planar import Planar
 
 # Stretches at least, after which loops are put right and quaternions scaled; samples of a motion in all.
 STRETCHES, SAMPLES = 40, 400
 # Rates that a motion may take: about a minute.
 MOST = 200_000
+
+
+def guides(loops: "Loops | None") -> "tuple[Guided | None, Planar | None]":
+    """What gives accelerations within loops: in space, and in a plane where all stays in one."""
+    if loops is None:
+        return None, None
+    from dynamics_cli.multibody.motions.guided import Guided
+    from dynamics_cli.multibody.motions.planar import Planar, normal_of
+
+    scene = loops.system.scene
+    normal = None if scene.loads or scene.springs else normal_of(loops)
+    return Guided(loops), None if normal is None else Planar(loops, normal)
 
 
 class Run:
@@ -31,11 +45,7 @@ class Run:
         self.split = system.tree.coordinates
         self.gap = self.off_unit = 0.0
         self.calls = 0
-        self.guide = None
-        if loops is not None:
-            from dynamics_cli.multibody.motions.guided import Guided
-
-            self.guide = Guided(loops)
+        self.guide, self.plane = guides(loops)
         self.states: list[list[float]] = []
         self.energies: list[float] = []
         self.kinetics: list[float] = []
@@ -45,13 +55,17 @@ class Run:
         """Put the system into a state."""
         n = self.split
         self.system.at(list(state[:n]), list(state[n:-1]))
-        self.system.loads = loads_of(self.system, self.system.scene.loads)
+        self.system.loads = loads_of(self.system)
 
-    def accelerations(self) -> "list[float]":
-        """Rates of the speeds where the system stands."""
+    def accelerations(self, coordinates: "list[float]", speeds: "list[float]") -> "list[float]":
+        """Rates of the speeds where the system stands, or where coordinates and speeds say."""
         system = self.system
-        springs = system.spring_efforts()
-        driven = [motor + spring for motor, spring in zip(system.efforts, springs, strict=True)]
+        driven = [
+            motor + spring.effort(coordinates, y)
+            for motor, spring, y in zip(system.efforts, system.springs, speeds, strict=True)
+        ]
+        if self.plane is not None:
+            return self.plane.accelerations(coordinates, speeds, driven)
         if self.guide is not None:
             return self.guide.accelerations(driven)
         return forward(system.tree, system.frames, system.speeds, driven, ground=system.base, loads=system.loads)
@@ -59,23 +73,34 @@ class Run:
     def worked(self) -> bool:
         """Whether anything but weights and springs acts."""
         system = self.system
-        return any(system.efforts) or bool(system.scene.loads) or any(spring.damping for spring in system.springs)
+        dampers = [*system.springs, *system.between]
+        return any(system.efforts) or bool(system.scene.loads) or any(spring.damping for spring in dampers)
 
     def _rate(self, _: float, state: "Any") -> "list[float]":
         self.calls += 1
         require(self.calls <= MOST, "{duration} are too many swings to follow", duration=(self.times[-1], Time),
                 code="too-long", hint="shorten it, or give a larger tolerance")  # fmt: skip
         numbers = state.tolist()
-        self.put(numbers)
+        if self.plane is None:
+            self.put(numbers)
         system = self.system
-        power = sum(effort * y for effort, y in zip(system.efforts, system.speeds, strict=True))
-        for spring, y in zip(system.springs, system.speeds, strict=True):
-            power -= spring.damping * y * y
-        if system.scene.loads:
-            for load, motion in zip(system.loads, sweep(system.tree, system.frames, system.speeds), strict=True):
-                if load is not None:
-                    power += dot(load[0], motion[2]) + dot(load[1], motion[0])
-        return [*rates(system.tree, system.coordinates, system.speeds), *self.accelerations(), power]
+        coordinates, speeds = numbers[: self.split], numbers[self.split : -1]
+        power = 0.0
+        for effort, spring, y in zip(system.efforts, system.springs, speeds, strict=True):
+            power += effort * y - spring.damping * y * y
+        if system.scene.loads or system.between:
+            power += self._load_power()
+        return [*rates(system.tree, coordinates, speeds), *self.accelerations(coordinates, speeds), power]
+
+    def _load_power(self) -> float:
+        """Power of loads and dampers between points; what springs store is energy, and no work."""
+        system = self.system
+        motions = sweep(system.tree, system.frames, system.speeds)
+        power = 0.0
+        for load, motion in zip(system.loads, motions, strict=True):
+            if load is not None:
+                power += dot(load[0], motion[2]) + dot(load[1], motion[0])
+        return power + sum(spring.storing(system.ground, motions) for spring in system.between)
 
     def _march(self, state: "list[float]") -> None:
         """Follow the motion to its end, put right after the first step beyond each stretch."""
@@ -87,7 +112,9 @@ class Run:
         stretches = [begin + (end - begin) * n / STRETCHES for n in range(1, STRETCHES)] if bound else []
         step: float | None = None
         while begin < end:
-            solver: Any = DOP853(self._rate, begin, state, end, first_step=step, rtol=self.tolerance, atol=self.tolerance)
+            solver: Any = DOP853(
+                self._rate, begin, state, end, first_step=step, rtol=self.tolerance, atol=self.tolerance
+            )
             stop = next((t for t in stretches if t > begin), end)
             while solver.status == "running" and solver.t < stop:
                 solver.step()
