@@ -38,9 +38,7 @@ def potential(system: "System") -> float:
         if plain(link.mass):
             total = total + link.mass * dot(system.base, system.centre(k))
     for spring in system.springs:
-        if spring.place is not None and plain(spring.stiffness):
-            stretch = system.coordinates[spring.place] - spring.free
-            total = total + 0.5 * spring.stiffness * stretch * stretch
+        total = total + spring.energy(system.coordinates)
     for between in system.between:
         total = total + between.energy(system.ground)
     return total

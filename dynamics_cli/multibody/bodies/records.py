@@ -4,6 +4,7 @@ from dynamics_cli.numerics.orientation.rotations import Turn
 from dynamics_cli.quantities import (
     Acceleration,
     Angle,
+    AngleFormula,
     AngularAcceleration,
     Annotated,
     Damping,
@@ -14,6 +15,7 @@ from dynamics_cli.quantities import (
     InertiaTensor,
     InertiaTriple,
     Length,
+    LengthFormula,
     Mass,
     Quaternion,
     Size,
@@ -92,6 +94,12 @@ class Body:
     stiffness: Annotated[Stiffness, "Spring along a joint with one slide, e.g. 2 N/mm."] = 0.0
     free_slide: Annotated[Length, "Way at which that spring is free, e.g. 0.1 m."] = 0.0
     damping: Annotated[Damping, "Force per speed along the joint, e.g. 50 N*s/m."] = 0.0
+    lower_angle: Annotated[Angle | None, "Smallest angle of a joint with one angle; none if left out."] = None
+    upper_angle: Annotated[Angle | None, "Largest angle, e.g. 90 deg."] = None
+    lower_slide: Annotated[Length | None, "Smallest way of a joint with one slide; none if left out."] = None
+    upper_slide: Annotated[Length | None, "Largest way, e.g. 0.4 m."] = None
+    stop_torsion_stiffness: Annotated[TorsionStiffness, "Of the stops at these angles; 0: passing them is said."] = 0.0
+    stop_stiffness: Annotated[Stiffness, "Of the stops at these ways; 0: passing them is said, e.g. 50 N/mm."] = 0.0
     rotor_inertia: Annotated[Inertia, "Inertia of the motor's rotor as felt at a revolute joint [kg*m^2]."] = 0.0
 
 
@@ -133,10 +141,22 @@ class Spring:
 
 
 @record
+class Drive:
+    """A prescribed motion of a revolute or prismatic joint, in `simulate`."""
+
+    body: Annotated[Text, "The body whose joint is driven."]
+    speed: Annotated[TurnRate, "A constant angular velocity, e.g. 60 rpm."] = 0.0
+    velocity: Annotated[Speed, "Or a constant velocity of a slide, e.g. 0.2 m/s."] = 0.0
+    angle_law: Annotated[AngleFormula | None, "Or the angle over time t in s, e.g. 90*sin(t) deg."] = None
+    slide_law: Annotated[LengthFormula | None, "Or the way over time t in s, e.g. 20*sin(3*t) mm."] = None
+
+
+@record
 class Scene:
     """Bodies in space."""
 
     bodies: Annotated[tuple[Body, ...], "The bodies, in any order."] = ()
     loads: Annotated[tuple[Load, ...], "Forces and moments from outside, besides weight."] = ()
     loops: Annotated[tuple[Loop, ...], "Joints that close loops."] = ()
+    drives: Annotated[tuple[Drive, ...], "Joints whose motion is prescribed, in simulate."] = ()
     springs: Annotated[tuple[Spring, ...], "Springs and dampers between points of two bodies."] = ()

@@ -32,7 +32,7 @@ class PointSpring:
 
     def way(self, ground: "Sequence[Pose]") -> "Vector":
         """From the first end to the second, in ground axes."""
-        return subtract(self._end(ground, 1), self._end(ground, 0))
+        return subtract(self.end(ground, 1), self.end(ground, 0))
 
     def energy(self, ground: "Sequence[Pose]") -> float:
         """What is stored in it."""
@@ -73,7 +73,8 @@ class PointSpring:
                 out.append((k, (force, cross(point, force))))
         return out
 
-    def _end(self, ground: "Sequence[Pose]", side: int) -> "Vector":
+    def end(self, ground: "Sequence[Pose]", side: int) -> "Vector":
+        """The place of its first or second end."""
         k, point = self.links[side], self.at[side]
         return add(ground[k][1], times(ground[k][0], point)) if k >= 0 else point
 

@@ -1,10 +1,9 @@
-"""Accelerations within loops at every instant of a motion, on plain floats and without the forces of the loops.
+"""Accelerations within loops and with drives at every instant, on plain floats and without the forces of the loops.
 
 Elimination with full pivots chooses at every instant the speeds that follow from the others: ẏ_d = p − R·ẏ_f.
 """
 
 from dynamics_cli.errors import require
-from dynamics_cli.multibody.bodies.loops import COUNTS
 from dynamics_cli.numerics.trees.matrix import mass_matrix
 from dynamics_cli.numerics.trees.newton_euler import inverse, sweep
 
@@ -13,38 +12,47 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from dynamics_cli.multibody.bodies.loops import Loops
+    from dynamics_cli.multibody.bodies.system import System
+    from dynamics_cli.multibody.motions.drives import Drives
 
+# A condition counts where its pivot is above this share of the largest.
+COUNTS = 1e-10
 # The motion that the loops leave free needs inertia above this share of the largest.
 RESISTS = 1e-13
 
 
 class Guided:
-    """A system whose speeds keep the conditions of its loops."""
+    """A system whose speeds keep the conditions of its loops and of its drives."""
 
-    def __init__(self, loops: "Loops") -> None:
-        self.loops = loops
-        self.rows: list[float] = loops.row_scales.tolist()
-        self.columns: list[float] = loops.column_scales.tolist()
+    def __init__(self, system: "System", loops: "Loops | None", drives: "Drives | None") -> None:
+        self.system, self.drives = system, drives
+        self.closures = loops.closures if loops is not None else []
+        self.rows: list[float] = loops.row_scales.tolist() if loops is not None else []
+        self.columns: list[float] = loops.column_scales.tolist() if loops is not None else [1.0] * system.tree.speeds
 
-    def accelerations(self, efforts: "Sequence[float]") -> "list[float]":
+    def accelerations(self, efforts: "Sequence[float]", time: float) -> "list[float]":
         """Rates of the speeds where the system stands."""
-        system = self.loops.system
+        system = self.system
         count = len(self.columns)
-        dependent = eliminated(self._conditions(), count)
+        dependent = eliminated(self._conditions(time), count)
         held, _ = inverse(system.tree, system.frames, system.speeds, ground=system.base, loads=system.loads)
         left = [effort - bias for effort, bias in zip(efforts, held, strict=True)]
         return reduced_rates(dependent, self.columns, mass_matrix(system.tree, system.frames), left)
 
-    def _conditions(self) -> "list[list[float]]":
+    def _conditions(self, time: float) -> "list[list[float]]":
         """The conditions on the rates of the speeds, free of units, with their right-hand sides."""
-        system = self.loops.system
-        motions = sweep(system.tree, system.frames, system.speeds)
+        system = self.system
+        motions = sweep(system.tree, system.frames, system.speeds) if self.closures else []
         out: list[list[float]] = []
-        for one in self.loops.closures:
+        for one in self.closures:
             drifts = one.drift(system.ground, motions)
             for row, drift in zip(one.rows(system, system.ground), drifts, strict=True):
                 scale = self.rows[len(out)]
                 out.append([scale * x * y for x, y in zip(row, self.columns, strict=True)] + [-scale * drift])
+        for place, (_, _, rate) in self.drives.laws_at(time) if self.drives is not None else ():
+            row = [0.0] * (len(self.columns) + 1)
+            row[place], row[-1] = 1.0, rate / self.columns[place]
+            out.append(row)
         return out
 
 

@@ -4,7 +4,7 @@ from dynamics_cli.errors import require
 from dynamics_cli.multibody.bodies.energy import kinetic, potential
 from dynamics_cli.multibody.bodies.system import loads_of
 from dynamics_cli.numerics.trees.articulated import forward
-from dynamics_cli.numerics.trees.newton_euler import sweep
+from dynamics_cli.numerics.trees.newton_euler import inverse, sweep
 from dynamics_cli.numerics.trees.tree import BALL, rates
 from dynamics_cli.numerics.vectors import dot
 from dynamics_cli.quantities import Time
@@ -16,6 +16,7 @@ if TYPE_CHECKING:
 
     from dynamics_cli.multibody.bodies.loops import Loops
     from dynamics_cli.multibody.bodies.system import System
+    from dynamics_cli.multibody.motions.drives import Drives
     from dynamics_cli.multibody.motions.guided import Guided
     from dynamics_cli.multibody.motions.planar import Planar
 
@@ -25,27 +26,31 @@ STRETCHES, SAMPLES = 40, 400
 MOST = 200_000
 
 
-def guides(loops: "Loops | None") -> "tuple[Guided | None, Planar | None]":
-    """What gives accelerations within loops: in space, and in a plane where all stays in one."""
-    if loops is None:
+def guides(system: "System", loops: "Loops | None", drives: "Drives | None") -> "tuple[Guided | None, Planar | None]":
+    """What gives accelerations within loops and with drives: in space, and in a plane where all stays in one."""
+    if loops is None and drives is None:
         return None, None
     from dynamics_cli.multibody.motions.guided import Guided
     from dynamics_cli.multibody.motions.planar import Planar, normal_of
 
-    scene = loops.system.scene
-    normal = None if scene.loads or scene.springs else normal_of(loops)
-    return Guided(loops), None if normal is None else Planar(loops, normal)
+    scene = system.scene
+    normal = None if loops is None or drives or scene.loads or scene.springs else normal_of(loops)
+    return Guided(system, loops, drives), None if loops is None or normal is None else Planar(loops, normal)
 
 
 class Run:
     """Times, states and energies of one motion; a state is coordinates, speeds, and the work done on the system."""
 
-    def __init__(self, system: "System", loops: "Loops | None", times: "Sequence[float]", tolerance: float) -> None:
-        self.system, self.loops, self.times, self.tolerance = system, loops, list(times), tolerance
+    def __init__(
+        self, system: "System", loops: "Loops | None", drives: "Drives | None", times: "Sequence[float]",
+        tolerance: float,
+    ) -> None:  # fmt: skip
+        self.system, self.loops, self.drives = system, loops, drives
+        self.times, self.tolerance = list(times), tolerance
         self.split = system.tree.coordinates
         self.gap = self.off_unit = 0.0
         self.calls = 0
-        self.guide, self.plane = guides(loops)
+        self.guide, self.plane = guides(system, loops, drives)
         self.states: list[list[float]] = []
         self.energies: list[float] = []
         self.kinetics: list[float] = []
@@ -57,26 +62,27 @@ class Run:
         self.system.at(list(state[:n]), list(state[n:-1]))
         self.system.loads = loads_of(self.system)
 
-    def accelerations(self, coordinates: "list[float]", speeds: "list[float]") -> "list[float]":
+    def driven(self, coordinates: "list[float]", speeds: "list[float]") -> "list[float]":
+        """Efforts of motors and of springs in the joints."""
+        columns = zip(self.system.efforts, self.system.springs, speeds, strict=True)
+        return [motor + spring.effort(coordinates, y) for motor, spring, y in columns]
+
+    def accelerations(self, time: float, coordinates: "list[float]", speeds: "list[float]") -> "list[float]":
         """Rates of the speeds where the system stands, or where coordinates and speeds say."""
-        system = self.system
-        driven = [
-            motor + spring.effort(coordinates, y)
-            for motor, spring, y in zip(system.efforts, system.springs, speeds, strict=True)
-        ]
+        system, driven = self.system, self.driven(coordinates, speeds)
         if self.plane is not None:
             return self.plane.accelerations(coordinates, speeds, driven)
         if self.guide is not None:
-            return self.guide.accelerations(driven)
+            return self.guide.accelerations(driven, time)
         return forward(system.tree, system.frames, system.speeds, driven, ground=system.base, loads=system.loads)
 
     def worked(self) -> bool:
         """Whether anything but weights and springs acts."""
         system = self.system
-        dampers = [*system.springs, *system.between]
-        return any(system.efforts) or bool(system.scene.loads) or any(spring.damping for spring in dampers)
+        damped = any(s.damping for s in system.springs) or any(s.damping for s in system.between)
+        return damped or any(system.efforts) or bool(system.scene.loads) or bool(self.drives)
 
-    def _rate(self, _: float, state: "Any") -> "list[float]":
+    def _rate(self, time: float, state: "Any") -> "list[float]":
         self.calls += 1
         require(self.calls <= MOST, "{duration} are too many swings to follow", duration=(self.times[-1], Time),
                 code="too-long", hint="shorten it, or give a larger tolerance")  # fmt: skip
@@ -90,7 +96,19 @@ class Run:
             power += effort * y - spring.damping * y * y
         if system.scene.loads or system.between:
             power += self._load_power()
-        return [*rates(system.tree, coordinates, speeds), *self.accelerations(coordinates, speeds), power]
+        accelerations = self.accelerations(float(time), coordinates, speeds)
+        if self.drives is not None:
+            power += sum(a * y for a, y in zip(self.missing(accelerations), speeds, strict=True))
+        return [*rates(system.tree, coordinates, speeds), *accelerations, power]
+
+    def missing(self, accelerations: "list[float]") -> "list[float]":
+        """What drives and loops add to every joint's effort, where the system stands."""
+        system = self.system
+        needed, _ = inverse(
+            system.tree, system.frames, system.speeds, accelerations, ground=system.base, loads=system.loads
+        )
+        driven = self.driven(system.coordinates, system.speeds)
+        return [effort - given for effort, given in zip(needed, driven, strict=True)]
 
     def _load_power(self) -> float:
         """Power of loads and dampers between points; what springs store is energy, and no work."""
@@ -107,7 +125,7 @@ class Run:
         from scipy.integrate import DOP853
 
         self._keep(state)
-        bound = self.loops is not None or any(link.joint == BALL for link in self.system.tree.links)
+        bound = self.guide is not None or any(link.joint == BALL for link in self.system.tree.links)
         begin, end = self.times[0], self.times[-1]
         stretches = [begin + (end - begin) * n / STRETCHES for n in range(1, STRETCHES)] if bound else []
         step: float | None = None
@@ -120,8 +138,8 @@ class Run:
                 solver.step()
                 require(solver.status != "failed", "the integration stopped", code="no-convergence")
                 self._sample(solver)
-            begin, step = solver.t, min(solver.h_abs, end - solver.t) or None
-            state = self._restored(solver.y.tolist())
+            begin, step = float(solver.t), min(solver.h_abs, end - solver.t) or None
+            state = self._restored(begin, solver.y.tolist())
         self._keep(state)
 
     def _sample(self, solver: "Any") -> None:
@@ -131,8 +149,12 @@ class Run:
             within = within or solver.dense_output()
             self._keep(within(self.times[len(self.states)]).tolist())
 
-    def _restored(self, state: "list[float]") -> "list[float]":
-        """The state with loops closed and quaternions of length one."""
+    def _restored(self, time: float, state: "list[float]") -> "list[float]":
+        """The state with loops closed, drives in their places, and quaternions of length one."""
+        if self.drives is not None:
+            self.put(state)
+            self.drives.place(time)
+            state = [*self.system.coordinates, *self.system.speeds, state[-1]]
         for link in self.system.tree.links:
             if link.joint == BALL:
                 part = state[link.place : link.place + 4]
