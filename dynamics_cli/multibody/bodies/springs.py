@@ -10,9 +10,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Sequence
 
-    from dynamics_cli.multibody.bodies.system import System
     from dynamics_cli.numerics.trees.newton_euler import Motion, Wrench
-    from dynamics_cli.numerics.trees.tree import Pose
+    from dynamics_cli.numerics.trees.tree import Pose, Tree
     from dynamics_cli.numerics.vectors import Vector
 
 ZERO = (0.0, 0.0, 0.0)
@@ -21,14 +20,13 @@ ZERO = (0.0, 0.0, 0.0)
 class PointSpring:
     """One spring: it pulls its ends together with k·(l − free length) + c·l̇."""
 
-    def __init__(self, system: "System", spring: Spring, number: int) -> None:
-        self.number = number
-        self.links = system.body_link(spring.first), system.body_link(spring.second)
+    def __init__(self, spring: Spring, number: int, links: "tuple[int, int]", ground: "Sequence[Pose]") -> None:
+        self.number, self.links = number, links
         require(self.links[0] != self.links[1], "spring {number} joins {body} to itself", number=number,
                 body=spring.first, code="spring", hint="name two bodies; ground is the other by default")  # fmt: skip
         self.at = spring.first_at, spring.second_at
         self.stiffness, self.damping = spring.stiffness, spring.damping
-        self.free = length(self.way(system.ground)) if spring.free_length is None else spring.free_length
+        self.free = length(self.way(ground)) if spring.free_length is None else spring.free_length
 
     def way(self, ground: "Sequence[Pose]") -> "Vector":
         """From the first end to the second, in ground axes."""
@@ -52,9 +50,8 @@ class PointSpring:
         size = length(way)
         return dot(way, subtract(self._velocity(ground, motions, 1), self._velocity(ground, motions, 0))) / size
 
-    def wrenches(self, system: "System", motions: "Sequence[Motion] | None") -> "list[tuple[int, Wrench]]":
+    def wrenches(self, ground: "Sequence[Pose]", motions: "Sequence[Motion] | None") -> "list[tuple[int, Wrench]]":
         """Forces and moments on the links at its ends, in their own axes about their origins."""
-        ground = system.ground
         way = self.way(ground)
         size = length(way)
         if not plain(self.free) and not plain(self.damping):
@@ -86,8 +83,11 @@ class PointSpring:
         return times(ground[k][0], add(velocity, cross(omega, point)))
 
 
-def spring_wrenches(system: "System") -> "list[tuple[int, Wrench]]":
-    """Forces and moments of all springs between points where the system stands."""
-    damped = any(plain(spring.damping) for spring in system.between)
-    motions = sweep(system.tree, system.frames, system.speeds) if damped else None
-    return [wrench for spring in system.between for wrench in spring.wrenches(system, motions)]
+def spring_wrenches(
+    springs: "Sequence[PointSpring]", tree: "Tree", frames: "Sequence[Pose]", ground: "Sequence[Pose]",
+    speeds: "Sequence[float]",
+) -> "list[tuple[int, Wrench]]":  # fmt: skip
+    """Forces and moments of all springs between points, in a state."""
+    damped = any(plain(spring.damping) for spring in springs)
+    motions = sweep(tree, frames, speeds) if damped else None
+    return [wrench for spring in springs for wrench in spring.wrenches(ground, motions)]

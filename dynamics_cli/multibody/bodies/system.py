@@ -61,7 +61,10 @@ class System:
         self.gravity = pull
         # the weight of things, as an upward acceleration of the ground
         self.base: Vector = tuple(pull * x for x in UNITS["xyz".index(up)]) if up != "none" else ORIGIN  # type: ignore[assignment]
-        self.between = [PointSpring(self, spring, n) for n, spring in enumerate(scene.springs, 1)]
+        self.between = [
+            PointSpring(spring, n, (self.body_link(spring.first), self.body_link(spring.second)), self.ground)
+            for n, spring in enumerate(scene.springs, 1)
+        ]
         self.loads = loads_of(self)
         self._say_passed()
         if scene.drives:
@@ -315,7 +318,7 @@ def _require_tensor(name: str, tensor: "Tensor") -> None:
 def loads_of(system: System) -> "list[Wrench | None]":
     """Of each link the force and the moment about its origin of loads and springs between points, in its own axes."""
     out: list[Wrench | None] = [None] * len(system.tree.links)
-    acting = spring_wrenches(system)
+    acting = spring_wrenches(system.between, system.tree, system.frames, system.ground, system.speeds)
     for load in system.scene.loads:
         k = system.body_link(load.body)
         force, moment = load.force, load.moment
