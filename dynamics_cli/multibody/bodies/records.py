@@ -94,12 +94,20 @@ class Body:
     stiffness: Annotated[Stiffness, "Spring along a joint with one slide, e.g. 2 N/mm."] = 0.0
     free_slide: Annotated[Length, "Way at which that spring is free, e.g. 0.1 m."] = 0.0
     damping: Annotated[Damping, "Force per speed along the joint, e.g. 50 N*s/m."] = 0.0
-    lower_angle: Annotated[Angle | None, "Smallest angle of a joint with one angle; none if left out."] = None
+    lower_angle: Annotated[
+        Angle | None, "Smallest angle of a joint with one angle; none if left out, e.g. -30 deg."
+    ] = None
     upper_angle: Annotated[Angle | None, "Largest angle, e.g. 90 deg."] = None
-    lower_slide: Annotated[Length | None, "Smallest way of a joint with one slide; none if left out."] = None
+    lower_slide: Annotated[Length | None, "Smallest way of a joint with one slide; none if left out, e.g. -0.1 m."] = (
+        None
+    )
     upper_slide: Annotated[Length | None, "Largest way, e.g. 0.4 m."] = None
-    stop_torsion_stiffness: Annotated[TorsionStiffness, "Of the stops at these angles; 0: passing them is said."] = 0.0
-    stop_stiffness: Annotated[Stiffness, "Of the stops at these ways; 0: passing them is said, e.g. 50 N/mm."] = 0.0
+    stop_torsion_stiffness: Annotated[
+        TorsionStiffness, "Of the stops at these angles; without, passing them is said, e.g. 5 kN*m/rad."
+    ] = 0.0
+    stop_stiffness: Annotated[Stiffness, "Of the stops at these ways; without, passing them is said, e.g. 50 N/mm."] = (
+        0.0
+    )
     rotor_inertia: Annotated[Inertia, "Inertia of the motor's rotor as felt at a revolute joint [kg*m^2]."] = 0.0
 
 

@@ -79,7 +79,7 @@ class Motion:
     energy_error: Annotated[Fraction, "Largest change of energy less work, over the largest energy exchanged [-]."]
     kinetic_energy: Annotated[PotentialEnergy, "Kinetic energy at the end [J]."]
     work: Annotated[PotentialEnergy | None, "Work of motors, loads and dampers up to the end, where there are any [J]."]
-    drives: Annotated[tuple[DriveRow, ...], "What driven joints need."]
+    drives: Annotated[tuple[DriveRow, ...] | None, "What driven joints need; null where none is driven."]
     gap: Annotated[Distance | None, "Largest gap of a loop before it was put right [m]."]
     states: Annotated[tuple[StateRow, ...], "Coordinates and speeds at the end."]
     motion: Annotated[tuple[MotionRow, ...], "The body that is followed."]
@@ -144,7 +144,7 @@ def simulate(
         energy_error=error,
         kinetic_energy=fine.kinetics[-1 if lost is None else lost - 1],
         work=fine.states[-1 if lost is None else lost - 1][-1] if fine.worked() else None,
-        drives=tuple(drive_rows(fine, len(fine.times) if lost is None else lost)),
+        drives=tuple(drive_rows(fine, len(fine.times) if lost is None else lost)) if scene.drives else None,
         gap=fine.gap * loops.size if loops is not None else None,
         states=tuple(_states(system)),
         motion=tuple(rows),
