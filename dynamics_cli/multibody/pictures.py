@@ -57,7 +57,7 @@ def _drawn(system: System, view: "tuple[int, int]", label: str, role: int, style
         else:
             items.append(Curve(x, y, label, style, role=role))
             label = ""
-    for spring in system.between:
+    for spring in system.between if style == "thick" else ():
         ends = [spring.end(system.ground, side) for side in (0, 1)]
         items.append(Curve([end[view[0]] for end in ends], [end[view[1]] for end in ends], "", "dots", role=role))
     return items
