@@ -150,6 +150,7 @@ FAMILIES: "dict[str, Entry]" = {
         "dynamics_cli.multibody.commands",
         GROUPS[5],
         "Bodies in space on joints: trees, loops, motion, forces.",
+        references=("multibody.json",),
     ),
     "spin": Entry(
         "dynamics_cli.spin.commands",

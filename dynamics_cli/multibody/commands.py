@@ -170,7 +170,9 @@ SIMULATE = Task(
     headline=(
         "verdict: answer", "horizon: horizon", "difference: two tolerances apart by",
         "energy_error: energy and work balance to", "kinetic_energy: kinetic energy at the end",
-        "work: work of motors, loads, dampers", "gap: largest gap of a loop",
+        "work: work of motors, loads, dampers",
+        "drives: driven joints | name=joint, largest=largest effort, time=at, end=at the end",
+        "gap: largest gap of a loop",
         "states: last state known | name=speed, coordinate, speed=y",
         "motion: motion of the body followed | time, centre, velocity, angular_velocity=ω",
     ),

@@ -57,6 +57,9 @@ def _drawn(system: System, view: "tuple[int, int]", label: str, role: int, style
         else:
             items.append(Curve(x, y, label, style, role=role))
             label = ""
+    for spring in system.between if style == "thick" else ():
+        ends = [spring.end(system.ground, side) for side in (0, 1)]
+        items.append(Curve([end[view[0]] for end in ends], [end[view[1]] for end in ends], "", "dots", role=role))
     return items
 
 
@@ -95,8 +98,14 @@ def _panel(title: str, view: "tuple[int, int]", items: "tuple[Any, ...]") -> Pan
 
 
 def _views(grounds: "list[Any]", up: Upward) -> "list[tuple[str, tuple[int, int]]]":
-    """From the front, and from the side where the bodies are not all in one plane."""
+    """From the front, from above where all turns in a level plane, and from the side where it is in no plane."""
     front, side = VIEWS[str(up)]
+    heights = [origin[front[1]] for ground in grounds for _, origin in ground]
+    tilted = max(
+        (abs(turn[front[1]][k]) for ground in grounds for turn, _ in ground for k in range(3) if k != front[1])
+    )
+    if max(heights) - min(heights) < FLAT and tilted < FLAT and front[1] == "xyz".find(str(up)):
+        return [("from above", (front[0], side[0]))]
     depths = [origin[side[0]] for ground in grounds for _, origin in ground]
     turned = max(
         (abs(turn[side[0]][k]) for ground in grounds for turn, _ in ground for k in range(3) if k != side[0]),

@@ -124,6 +124,12 @@ FILES: dict[str, Origin] = {
         "torques by products of vectors, periods by Legendre's integral, precession by roots of polynomials",
         "90 digits", "", ".",
     ),
+    "multibody": Origin(
+        "multibody", {"matrix": "mass-matrix"},
+        "bodies as seven points with masses, efforts by difference quotients of their places over time and ways, loops "
+        "by Lagrange's multipliers",
+        "110 digits", "", "tree|.* \\d$",
+    ),
     "robot": Origin(
         "robot", {},
         "poses by products of elementary motions, Jacobians by difference quotients, inverses by Newton's method, "

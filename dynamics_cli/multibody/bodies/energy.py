@@ -32,15 +32,15 @@ def kinetic(system: "System", motions: "Sequence[Motion]") -> float:
 
 
 def potential(system: "System") -> float:
-    """Potential energy of weights, above the ground's origin, and of springs in joints."""
+    """Potential energy of weights, above the ground's origin, and of springs."""
     total = 0.0
     for k, link in enumerate(system.tree.links):
         if plain(link.mass):
             total = total + link.mass * dot(system.base, system.centre(k))
     for spring in system.springs:
-        if spring.place is not None and plain(spring.stiffness):
-            stretch = system.coordinates[spring.place] - spring.free
-            total = total + 0.5 * spring.stiffness * stretch * stretch
+        total = total + spring.energy(system.coordinates)
+    for between in system.between:
+        total = total + between.energy(system.ground)
     return total
 
 

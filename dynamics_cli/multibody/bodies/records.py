@@ -4,6 +4,7 @@ from dynamics_cli.numerics.orientation.rotations import Turn
 from dynamics_cli.quantities import (
     Acceleration,
     Angle,
+    AngleFormula,
     AngularAcceleration,
     Annotated,
     Damping,
@@ -14,8 +15,10 @@ from dynamics_cli.quantities import (
     InertiaTensor,
     InertiaTriple,
     Length,
+    LengthFormula,
     Mass,
     Quaternion,
+    Size,
     SpacePosition,
     Speed,
     Stiffness,
@@ -91,6 +94,20 @@ class Body:
     stiffness: Annotated[Stiffness, "Spring along a joint with one slide, e.g. 2 N/mm."] = 0.0
     free_slide: Annotated[Length, "Way at which that spring is free, e.g. 0.1 m."] = 0.0
     damping: Annotated[Damping, "Force per speed along the joint, e.g. 50 N*s/m."] = 0.0
+    lower_angle: Annotated[
+        Angle | None, "Smallest angle of a joint with one angle; none if left out, e.g. -30 deg."
+    ] = None
+    upper_angle: Annotated[Angle | None, "Largest angle, e.g. 90 deg."] = None
+    lower_slide: Annotated[Length | None, "Smallest way of a joint with one slide; none if left out, e.g. -0.1 m."] = (
+        None
+    )
+    upper_slide: Annotated[Length | None, "Largest way, e.g. 0.4 m."] = None
+    stop_torsion_stiffness: Annotated[
+        TorsionStiffness, "Of the stops at these angles; without, passing them is said, e.g. 5 kN*m/rad."
+    ] = 0.0
+    stop_stiffness: Annotated[Stiffness, "Of the stops at these ways; without, passing them is said, e.g. 50 N/mm."] = (
+        0.0
+    )
     rotor_inertia: Annotated[Inertia, "Inertia of the motor's rotor as felt at a revolute joint [kg*m^2]."] = 0.0
 
 
@@ -119,9 +136,35 @@ class Loop:
 
 
 @record
+class Spring:
+    """A spring with a damper between a point of one body and a point of another."""
+
+    first: Annotated[Text, "One body."]
+    second: Annotated[Text, "The other; ground by default."] = GROUND
+    first_at: Annotated[SpacePosition, "Its end on the first, in that body's axes [m]."] = ORIGIN
+    second_at: Annotated[SpacePosition, "Its end on the second, in that body's axes [m]."] = ORIGIN
+    stiffness: Annotated[Stiffness, "Its stiffness, e.g. 2 N/mm."] = 0.0
+    free_length: Annotated[Size | None, "Its free length; that in the scene if left out, e.g. 300 mm."] = None
+    damping: Annotated[Damping, "Force per speed of a damper beside it, e.g. 50 N*s/m."] = 0.0
+
+
+@record
+class Drive:
+    """A prescribed motion of a revolute or prismatic joint, in `simulate`."""
+
+    body: Annotated[Text, "The body whose joint is driven."]
+    speed: Annotated[TurnRate, "A constant angular velocity, e.g. 60 rpm."] = 0.0
+    velocity: Annotated[Speed, "Or a constant velocity of a slide, e.g. 0.2 m/s."] = 0.0
+    angle_law: Annotated[AngleFormula | None, "Or the angle over time t in s, e.g. 90*sin(t) deg."] = None
+    slide_law: Annotated[LengthFormula | None, "Or the way over time t in s, e.g. 20*sin(3*t) mm."] = None
+
+
+@record
 class Scene:
     """Bodies in space."""
 
     bodies: Annotated[tuple[Body, ...], "The bodies, in any order."] = ()
     loads: Annotated[tuple[Load, ...], "Forces and moments from outside, besides weight."] = ()
     loops: Annotated[tuple[Loop, ...], "Joints that close loops."] = ()
+    drives: Annotated[tuple[Drive, ...], "Joints whose motion is prescribed, in simulate."] = ()
+    springs: Annotated[tuple[Spring, ...], "Springs and dampers between points of two bodies."] = ()

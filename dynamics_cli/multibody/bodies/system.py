@@ -2,7 +2,8 @@
 
 from dynamics_cli.errors import UsageError, require, worded
 from dynamics_cli.multibody.bodies.ordering import ordered
-from dynamics_cli.multibody.bodies.records import GROUND, ORIGIN, Body, Load, Scene, Upward
+from dynamics_cli.multibody.bodies.records import GROUND, ORIGIN, Body, Scene, Upward
+from dynamics_cli.multibody.bodies.springs import PointSpring, spring_wrenches
 from dynamics_cli.numerics.eigen3.jacobi import eigen
 from dynamics_cli.numerics.elementary import sqrt
 from dynamics_cli.numerics.number import plain
@@ -10,7 +11,7 @@ from dynamics_cli.numerics.orientation.rotations import IDENTITY, matrix_of
 from dynamics_cli.numerics.trees.newton_euler import back
 from dynamics_cli.numerics.trees.tree import BALL, FIXED, PRISMATIC, REVOLUTE, Link, Tree, placed, poses
 from dynamics_cli.numerics.vectors import add, cross, times
-from dynamics_cli.quantities import Inertia, Ratio
+from dynamics_cli.quantities import Angle, Inertia, Length, Ratio
 from dynamics_cli.records import Advice
 
 TYPE_CHECKING = False
@@ -60,7 +61,14 @@ class System:
         self.gravity = pull
         # the weight of things, as an upward acceleration of the ground
         self.base: Vector = tuple(pull * x for x in UNITS["xyz".index(up)]) if up != "none" else ORIGIN  # type: ignore[assignment]
-        self.loads = loads_of(self, scene.loads)
+        self.between = [
+            PointSpring(spring, n, (self.body_link(spring.first), self.body_link(spring.second)), self.ground)
+            for n, spring in enumerate(scene.springs, 1)
+        ]
+        self.loads = loads_of(self)
+        self._say_passed()
+        if scene.drives:
+            self.advice.append(Advice("drives", "drives count in simulate alone: here joints move as their bodies say"))
 
     def at(self, coordinates: "list[float]", speeds: "list[float]") -> None:
         """Put the bodies into another state."""
@@ -89,6 +97,16 @@ class System:
         """Refuse loops, where only trees are answered."""
         require(not self.scene.loops, "the scene closes loops, which this task does not take", code="loops",
                 hint="dynamics multibody accelerations takes them")  # fmt: skip
+
+    def _say_passed(self) -> None:
+        """A word on every joint that starts beyond a stop."""
+        for name, turning, spring in zip(self.names, self.turning, self.springs, strict=True):
+            far = 0.0 if spring.place is None else abs(plain(spring.beyond(self.coordinates[spring.place])))
+            if far:
+                message = worded(
+                    "{name} is {far:4} beyond its stop", name=name, far=(far, Angle if turning else Length)
+                )
+                self.advice.append(Advice("stop", message))
 
     def spring_efforts(self) -> "list[float]":
         """Efforts of springs and dampers in the joints."""
@@ -155,11 +173,35 @@ class Spring:
 
     def __init__(self, place: "int | None", stiffness: float, free: float, damping: float) -> None:
         self.place, self.stiffness, self.free, self.damping = place, stiffness, free, damping
+        # stops: the smallest and the largest coordinate, and their stiffness
+        self.lower: float | None = None
+        self.upper: float | None = None
+        self.stop = 0.0
 
     def effort(self, coordinates: "Sequence[float]", speed: float) -> float:
         """What they add to the effort of the joint's motor."""
         damped = -(self.damping * speed)
-        return damped if self.place is None else damped - self.stiffness * (coordinates[self.place] - self.free)
+        if self.place is None:
+            return damped
+        at = coordinates[self.place]
+        effort = damped - self.stiffness * (at - self.free)
+        return effort - self.stop * self.beyond(at) if self.lower is not None or self.upper is not None else effort
+
+    def beyond(self, coordinate: float) -> float:
+        """How far a coordinate is above its upper stop, or below the lower one, negative then; 0 between."""
+        if self.upper is not None and plain(coordinate) > plain(self.upper):
+            return coordinate - self.upper
+        if self.lower is not None and plain(coordinate) < plain(self.lower):
+            return coordinate - self.lower
+        return 0.0
+
+    def energy(self, coordinates: "Sequence[float]") -> float:
+        """What the spring and the stops store."""
+        if self.place is None:
+            return 0.0
+        at = coordinates[self.place]
+        stretch, pressed = at - self.free, self.beyond(at)
+        return 0.5 * (self.stiffness * stretch * stretch + self.stop * pressed * pressed)
 
 
 def _spring(body: Body, turning: bool, place: "int | None") -> Spring:
@@ -169,8 +211,19 @@ def _spring(body: Body, turning: bool, place: "int | None") -> Spring:
         single or not plain(stiffness), "{body} has a spring in its {joint} joint, which can move in several ways",
         body=body.name, joint=str(body.joint), code="state", hint="give springs in joints with one angle or one slide",
     )  # fmt: skip
-    return Spring(place, stiffness, body.free_angle if turning else body.free_slide,
-                  body.torsion_damping if turning else body.damping)  # fmt: skip
+    spring = Spring(place, stiffness, body.free_angle if turning else body.free_slide,
+                    body.torsion_damping if turning else body.damping)  # fmt: skip
+    lower, upper = (body.lower_angle, body.upper_angle) if turning else (body.lower_slide, body.upper_slide)
+    if lower is not None or upper is not None:
+        require(
+            single, "{body} has stops in its {joint} joint, which can move in several ways", body=body.name,
+            joint=str(body.joint), code="state", hint="give stops in joints with one angle or one slide",
+        )  # fmt: skip
+        require(lower is None or upper is None or upper > lower, "the upper stop of {body} is not above its lower one",
+                body=body.name, code="state")  # fmt: skip
+    spring.lower, spring.upper = lower, upper
+    spring.stop = body.stop_torsion_stiffness if turning else body.stop_stiffness
+    return spring
 
 
 def _parts(body: Body, kind: str) -> "list[tuple[str, Vector, str]]":
@@ -262,16 +315,18 @@ def _require_tensor(name: str, tensor: "Tensor") -> None:
     )  # fmt: skip
 
 
-def loads_of(system: System, loads: "Sequence[Load]") -> "list[Wrench | None]":
-    """Of each link the force and the moment about its origin of all loads, in its own axes."""
+def loads_of(system: System) -> "list[Wrench | None]":
+    """Of each link the force and the moment about its origin of loads and springs between points, in its own axes."""
     out: list[Wrench | None] = [None] * len(system.tree.links)
-    for load in loads:
+    acting = spring_wrenches(system.between, system.tree, system.frames, system.ground, system.speeds)
+    for load in system.scene.loads:
         k = system.body_link(load.body)
         force, moment = load.force, load.moment
         if load.axes == "ground":
             rotation = system.ground[k][0]
             force, moment = back(rotation, force), back(rotation, moment)
-        moment = add(moment, cross(load.at, force))
+        acting.append((k, (force, add(moment, cross(load.at, force)))))
+    for k, (force, moment) in acting:
         before = out[k]
         out[k] = (force, moment) if before is None else (add(before[0], force), add(before[1], moment))
     return out

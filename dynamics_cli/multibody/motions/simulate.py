@@ -1,9 +1,9 @@
 """The task `simulate`: how a scene of bodies in space moves over time."""
 
-from dynamics_cli.errors import require
+from dynamics_cli.errors import require, worded
 from dynamics_cli.multibody.bodies.records import Scene, Upward
-from dynamics_cli.multibody.bodies.results import rate
-from dynamics_cli.multibody.bodies.system import System
+from dynamics_cli.multibody.bodies.results import effort, rate
+from dynamics_cli.multibody.bodies.system import System, loads_of
 from dynamics_cli.multibody.motions.runs import SAMPLES, Run, parted
 from dynamics_cli.numerics.trees.newton_euler import sweep
 from dynamics_cli.numerics.trees.tree import BALL, FIXED, PRISMATIC
@@ -18,6 +18,7 @@ from dynamics_cli.quantities import (
     Fraction,
     FreeNumber,
     Gravity,
+    Length,
     PotentialEnergy,
     Ratio,
     SpacePosition,
@@ -29,13 +30,23 @@ from dynamics_cli.records import Advice, Check, Numerics, Quantity, record
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterator, Sequence
 
     from dynamics_cli.multibody.bodies.loops import Loops
 
 # Where two runs are apart by this, nothing is known any more [rad, or sizes of the scene].
 LOST = 0.01
 MANY = 20_000
+
+
+@record
+class DriveRow:
+    """What the motion of a driven joint needs."""
+
+    name: Annotated[Text, "The joint's body."]
+    largest: Annotated[FreeNumber, "The largest effort of its motor, of either sign."]
+    time: Annotated[Time, "When it is needed [s]."]
+    end: Annotated[FreeNumber, "The effort at the end."]
 
 
 @record
@@ -68,6 +79,7 @@ class Motion:
     energy_error: Annotated[Fraction, "Largest change of energy less work, over the largest energy exchanged [-]."]
     kinetic_energy: Annotated[PotentialEnergy, "Kinetic energy at the end [J]."]
     work: Annotated[PotentialEnergy | None, "Work of motors, loads and dampers up to the end, where there are any [J]."]
+    drives: Annotated[tuple[DriveRow, ...] | None, "What driven joints need; null where none is driven."]
     gap: Annotated[Distance | None, "Largest gap of a loop before it was put right [m]."]
     states: Annotated[tuple[StateRow, ...], "Coordinates and speeds at the end."]
     motion: Annotated[tuple[MotionRow, ...], "The body that is followed."]
@@ -132,6 +144,7 @@ def simulate(
         energy_error=error,
         kinetic_energy=fine.kinetics[-1 if lost is None else lost - 1],
         work=fine.states[-1 if lost is None else lost - 1][-1] if fine.worked() else None,
+        drives=tuple(drive_rows(fine, len(fine.times) if lost is None else lost)) if scene.drives else None,
         gap=fine.gap * loops.size if loops is not None else None,
         states=tuple(_states(system)),
         motion=tuple(rows),
@@ -139,8 +152,25 @@ def simulate(
         checks=(
             Check("energy and work balance", error <= max(1e5 * tolerance, 1e-9), error, max(1e5 * tolerance, 1e-9)),
         ),
-        advice=tuple(system.advice),
+        advice=(
+            *(one for one in system.advice if one.code != "drives"),
+            *_passed(fine, len(fine.times) if lost is None else lost),
+        ),
     )
+
+
+def _passed(run: Run, known: int) -> "Iterator[Advice]":
+    """A word on every joint that passes a stop without stiffness, with the time."""
+    for name, turning, spring in zip(run.system.names, run.system.turning, run.system.springs, strict=True):
+        if spring.place is None or spring.stop or spring.beyond(run.states[0][spring.place]):
+            continue
+        passed = next((n for n in range(known) if spring.beyond(run.states[n][spring.place])), None)
+        if passed is not None:
+            stop = spring.upper if spring.beyond(run.states[passed][spring.place]) > 0.0 else spring.lower
+            message = worded("{name} passes its stop at {stop} by {time:3}: nothing holds it there", name=name,
+                             stop=(stop, Angle if turning else Length), time=(run.times[passed], Time))  # fmt: skip
+            remedy = "stop_torsion_stiffness" if turning else "stop_stiffness"
+            yield Advice("stop", message, remedy=f"give {remedy}, or end the motion before")
 
 
 def runs_of(
@@ -152,7 +182,11 @@ def runs_of(
     pair = []
     for one in (0.1 * tolerance, tolerance):
         system = System(scene, up, gravity)
-        loops = None
+        drives, loops = None, None
+        if scene.drives:
+            from dynamics_cli.multibody.motions.drives import Drives
+
+            drives = Drives(system)
         if scene.loops:
             from dynamics_cli.multibody.bodies.loops import Loops
 
@@ -160,9 +194,33 @@ def runs_of(
             loops.close()
             loops.settle()
             loops.require_regular()
-        pair.append((Run(system, loops, times, max(one, 3e-14)), loops))
+        system.loads = loads_of(system)
+        pair.append((Run(system, loops, drives, times, max(one, 3e-14)), loops))
     (fine, loops), (coarse, _) = pair
     return fine, coarse, loops
+
+
+def drive_rows(run: Run, known: int) -> "Iterator[DriveRow]":
+    """Efforts of driven joints at the times kept; within loops those that the free ways of the loops need."""
+    if run.drives is None:
+        return
+    import numpy as np
+
+    places, system = list(run.drives.laws), run.system
+    needs = []
+    for time, state in zip(run.times[:known], run.states, strict=False):
+        run.put(state)
+        missing = np.array(run.missing(run.accelerations(time, system.coordinates, system.speeds)))
+        if run.loops is not None:
+            scales = run.loops.column_scales
+            free = run.loops.parts()[3].T
+            missing[places] = np.linalg.lstsq(free[:, places], free @ (missing * scales))[0] / scales[places]
+        needs.append(missing[places].tolist())
+    for n, place in enumerate(places):
+        k = max(range(len(needs)), key=lambda i, n=n: abs(needs[i][n]))  # type: ignore[misc]
+        turns = system.turning[place]
+        largest, end = effort(turns, needs[k][n]), effort(turns, needs[-1][n])
+        yield DriveRow(system.names[place], largest, run.times[k], end)
 
 
 def scales_of(system: System, loops: "Loops | None") -> "list[float]":
@@ -185,8 +243,6 @@ def _row(run: Run, k: int, n: int) -> MotionRow:
 
 
 def _states(system: System) -> "Sequence[StateRow]":
-    from dynamics_cli.quantities import Length
-
     rows = []
     columns = zip(system.names, system.turning, system.springs, system.speeds, strict=True)
     for name, turns, spring, speed in columns:

@@ -8,7 +8,7 @@ import numpy as np
 
 from dynamics_cli.multibody.bodies.system import loads_of
 from dynamics_cli.numerics.trees.matrix import mass_matrix
-from dynamics_cli.numerics.trees.newton_euler import inverse
+from dynamics_cli.numerics.trees.newton_euler import inverse, sweep
 from dynamics_cli.numerics.trees.tree import moved
 from dynamics_cli.numerics.vectors import length
 
@@ -67,7 +67,7 @@ class Small:
     def driving(self) -> "Any":
         """The forces of all speeds that weight, loads, springs and motors make, lengths in sizes."""
         system = self.system
-        system.loads = loads_of(system, system.scene.loads)
+        system.loads = loads_of(system)
         held, _ = inverse(system.tree, system.frames, system.speeds, ground=system.base, loads=system.loads)
         springs = system.spring_efforts()
         sums = [motor + spring - weight for motor, spring, weight in zip(system.efforts, springs, held, strict=True)]
@@ -104,8 +104,14 @@ class Small:
 
     def dampers(self) -> "Any":
         """The damping of the free ways."""
-        each = np.array([spring.damping for spring in self.system.springs]) * self.scales**2
-        return self.free.T @ (each[:, None] * self.free)
+        system = self.system
+        full = np.diag(np.array([spring.damping for spring in system.springs]) * self.scales**2)
+        for spring in system.between:
+            if spring.damping:
+                units = np.eye(len(self.scales)).tolist()
+                rates = [spring.opening(system.ground, sweep(system.tree, system.frames, unit)) for unit in units]
+                full += spring.damping * np.outer(rates, rates) * np.outer(self.scales, self.scales)
+        return self.free.T @ full @ self.free
 
     def acting(self) -> float:
         """What forces are compared with: weights and efforts on their levers."""
@@ -113,6 +119,7 @@ class Small:
         weights = sum(link.mass for link in system.tree.links) * system.gravity * self.size
         scales = map(float, self.scales)
         springs = [spring.stiffness * scale**2 for spring, scale in zip(system.springs, scales, strict=True)]
+        springs += [spring.stiffness * self.size**2 for spring in system.between]
         return max(weights, *springs, *(abs(x) for x in system.efforts), 1e-300)
 
     def rest(self) -> float:
