@@ -175,6 +175,8 @@ if TYPE_CHECKING:
     SurveyCoordinate = float
     Area = float
     Volume = float
+    FloorArea = float
+    RoomVolume = float
     Module = float
     DiametralPitch = float
     Curvature = float
@@ -329,6 +331,8 @@ else:
     SurveyCoordinate = Kind("length", "m", us="ft", example="5.2 m", about="a coordinate of a survey, of either sign",
         exact=True)
     Area = Kind("area", "m^2", si="mm^2", us="in^2", low=0.0, example="3 in^2", about="an area")
+    FloorArea = Kind("floor area", "m^2", us="ft^2", low=0.0, example="3 m^2", about="an area that a machine covers")
+    RoomVolume = Kind("room", "m^3", us="ft^3", low=0.0, example="2 m^3", about="a volume that a machine covers")
     Volume = Kind("volume", "m^3", si="mm^3", us="in^3", low=0.0, example="2 cm^3", about="a volume")
     Module = Kind("module", "m", si="mm", above=0.0, example="2.5 mm", about="a gear module")
     DiametralPitch = Kind("diametral pitch", "1/m", si="1/in", above=0.0, example="8 1/in",

@@ -4,10 +4,16 @@ from dynamics_cli.core.answering.task import Family, Model, Task
 
 BOOK = "Josephs & Huston, Dynamics of Mechanical Systems, CRC Press 2002, "
 PICTURES = "dynamics_cli.robot.pictures"
+PICTURES_WORKSPACE = "dynamics_cli.robot.workspace.pictures"
 RIGID = "rigid links, joints without play"
 ARM = {"robot": "dynamics_cli.robot.arms.presets:NAMES"}
 SCENE = {
     "convention": "standard", "joints[0].a": "500 mm", "joints[1].a": "400 mm", "angles": "30, 45 deg",
+}  # fmt: skip
+
+SCENE_LIMITS = {
+    "convention": "standard", "joints[0].a": "500 mm", "joints[0].lower": "-90 deg", "joints[0].upper": "90 deg",
+    "joints[1].a": "400 mm", "joints[1].lower": "-150 deg", "joints[1].upper": "150 deg",
 }  # fmt: skip
 
 SCENE_AT = {
@@ -200,8 +206,49 @@ TORQUE = Task(
     table="joints",
 )
 
+WORKSPACE = Task(
+    "workspace",
+    "Workspace: how far an arm reaches, the area with its border, and whether it reaches a point.",
+    Model(
+        "border of arcs, in the plane of the links",
+        "dynamics_cli.robot.workspace.task:workspace",
+        source=BOOK + "section 19.2",
+        formula="A = ½·∮(x·dy − y·dx)",
+        assumptions=(RIGID, "links and joints may pass through each other"),
+        method="arcs of circles",
+    ),
+    headline=(
+        "reached: point reached",
+        "from_border: from the border",
+        "reach: farthest from the first axis",
+        "nearest: nearest to it",
+        "lowest: lowest",
+        "highest: highest",
+        "area: area reached",
+        "both_elbows: of it, with both elbows",
+        "holes: holes",
+        "hole_area: area of the holes",
+        "volume: volume",
+        "tip: reached by",
+        "postures: postures at the point | number=#, angles, travel, elbow",
+    ),
+    examples=(
+        'dynamics robot workspace --lengths "400, 300 mm" --lower "0, -60 deg" --upper "90, 90 deg"',
+        'dynamics robot workspace --robot puma-560 --position "450, 100, 900 mm"',
+        'dynamics robot workspace examples/scara.toml --position "300, 350, 320 mm"',
+    ),
+    scene=SCENE_LIMITS,
+    names=ARM,
+    also=("reach", "envelope"),
+    plot=f"{PICTURES_WORKSPACE}:workspace_picture",
+    table="border",
+    arrays=False,
+    tracked=False,
+)
+
 FAMILIES = {
     "robot": Family(
-        "robot", "Robot arms: pose, Jacobian, inverse kinematics, torques.", POSE, JACOBIAN, RATES, INVERSE, TORQUE
+        "robot", "Robot arms: pose, Jacobian, inverse kinematics, workspace, torques.",
+        POSE, JACOBIAN, RATES, INVERSE, WORKSPACE, TORQUE,
     )
-}
+}  # fmt: skip

@@ -111,11 +111,16 @@ def chain_of(arm: Arm) -> Chain:
         assert known is not None
         joints, standard = known.joints, known.convention == STANDARD
     elif arm.lengths:
-        joints, standard = _rods(arm.lengths, arm.masses), True
+        joints, standard = _limited(_rods(arm.lengths, arm.masses), arm), True
     else:
         if arm.convention is None:
             raise MissingError("the table of joints does not say its convention", (("convention",),), code="convention")
         joints, standard = arm.joints, arm.convention == STANDARD
+    require(
+        bool(arm.lengths) or not (arm.lower or arm.upper),
+        "limits {words} are of an arm by its lengths",
+        words="--lower and --upper", code="limit", hint="in a table of joints each row has its lower and upper",
+    )  # fmt: skip
     names = tuple(joint.name or str(number) for number, joint in enumerate(joints, 1))
     for name, joint in zip(names, joints, strict=True):
         _check_limits(name, joint)
@@ -136,6 +141,20 @@ def _rods(lengths: "Sequence[float]", masses: "Sequence[float]") -> "tuple[Joint
         tensor = (ORIGIN, (0.0, across, 0.0), (0.0, 0.0, across))
         joints.append(Joint(a=length, mass=mass, centroid=(-0.5 * length, 0.0, 0.0), tensor=tensor))
     return tuple(joints)
+
+
+def _limited(joints: "tuple[Joint, ...]", arm: Arm) -> "tuple[Joint, ...]":
+    """The joints of a planar arm with their limits."""
+    for word, values in (("lower", arm.lower), ("upper", arm.upper)):
+        require(
+            len(values) in (0, len(joints)), "read {values} {word} limits of {joints} joints",
+            values=len(values), word=word, joints=len(joints), code="limit", hint="one for each length",
+        )  # fmt: skip
+        if values:
+            joints = tuple(
+                Joint(**{**joint.__dict__, word: value}) for joint, value in zip(joints, values, strict=True)
+            )
+    return joints
 
 
 def _check_limits(name: str, joint: Joint) -> None:

@@ -73,6 +73,8 @@ class Arm:
     robot: Annotated[Text, "A published arm: puma-560."] = ""
     lengths: Annotated[tuple[Size, ...], "Links of a planar arm of revolute joints, e.g. 500, 400, 200 mm."] = ()
     masses: Annotated[tuple[Mass, ...], "Their masses, of uniform rods, for `torque`, e.g. 6, 4, 1 kg."] = ()
+    lower: Annotated[tuple[Angle, ...], "Lower limits of its joints, e.g. -90, -150, -120 deg."] = ()
+    upper: Annotated[tuple[Angle, ...], "Their upper limits, e.g. 90, 150, 120 deg."] = ()
     convention: Annotated[
         Convention | None,
         "Of the table of joints: standard turns θ and shifts d, then shifts a and turns α; modified (Craig) turns α "
