@@ -181,3 +181,14 @@ def test_pictures(call: str, tmp_path: Path) -> None:
     outcome = run("robot", *shlex.split(call), "--plot", str(target))
     assert outcome.status == 0, outcome.err
     assert b"nan" not in target.read_bytes()
+
+
+def test_a_target_on_the_first_axis_leaves_its_joint_open() -> None:
+    out = run(*shlex.split('robot inverse --lengths "500, 500 mm" --position "0, 0 mm"'))
+    assert "every angle of that" in out.out + out.err
+
+
+def test_four_parallel_axes_are_called_parallel() -> None:
+    out = run(*shlex.split('robot inverse --lengths "1, 1, 1, 1 m" --position "1, 1 m" --hand-angle 10deg'))
+    assert out.status == 3
+    assert "4 joints turn about parallel axes" in out.err
