@@ -213,5 +213,7 @@ def _advice(
             ))  # fmt: skip
     unused = sorted(set(lengths) - {row.name for row in rows} - {"shoulder"})
     if unused:
-        advice.append(Advice("unused", f"not in this table: the length of {', '.join(unused)}", severity="note"))
+        remedy = "--trunk-ends parts divides the trunk" if {"upper trunk", "lower trunk"} & {*unused} else ""
+        words = f"not in this table: the length of {', '.join(unused)}"
+        advice.append(Advice("unused", words, severity="note", remedy=remedy))
     return tuple(advice)
