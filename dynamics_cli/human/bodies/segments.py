@@ -214,6 +214,6 @@ def _advice(
     unused = sorted(set(lengths) - {row.name for row in rows} - {"shoulder"})
     if unused:
         remedy = "--trunk-ends parts divides the trunk" if {"upper trunk", "lower trunk"} & {*unused} else ""
-        words = f"not in this table: the length of {', '.join(unused)}"
-        advice.append(Advice("unused", words, severity="note", remedy=remedy))
+        message = f"not in this table: the length of {', '.join(unused)}"
+        advice.append(Advice("unused", message, severity="note", remedy=remedy))
     return tuple(advice)
