@@ -22,7 +22,7 @@ SEGMENTS = Task(
     Model(
         "segment table",
         "dynamics_cli.human.bodies.segments:segments",
-        source="de Leva, J. Biomechanics 29, 1996, table 4; " + BOOK + "section 20.2",
+        source=BOOK + "section 20.2",
         formula="m_i = share·{mass|m}, I_i = m_i·(r_i·L_i)²",
         assumptions=("rigid segments, mass centre on the line between the ends", "left and right alike"),
     ),
@@ -55,7 +55,8 @@ POSTURE = Task(
     ),
     headline=(
         "height: height of the mass centre", "centre: mass centre (forward, left, up)",
-        "inertia: inertia, left-right axis", "ankle_inertia: the same about the ankles",
+        "inertia: inertia, left-right axis", "gyration: its radius of gyration",
+        "ankle_inertia: inertia about the ankles",
         "tensor: tensor about the mass centre", "balance", "toe_margin: behind the toes",
         "heel_margin: in front of the heels", "table: source",
     ),

@@ -43,7 +43,7 @@ class Gyration:
 class SupportInertia:
     """A body by its moment of inertia about the support."""
 
-    support_inertia: Annotated[Inertia, "Moment of inertia about the support, e.g. 75.5 kg*m^2."]
+    support_inertia: Annotated[Inertia, "Moment of inertia about the support, e.g. 87 kg*m^2."]
     mass: Annotated[Mass, "Mass of the body, e.g. 75 kg."]
 
     def squared(self, height: float) -> float:
@@ -54,7 +54,7 @@ class SupportInertia:
             square >= height * height, "a moment of inertia of {inertia} about the support is below mass times height "
             "of the mass centre squared, {least}", inertia=(self.support_inertia, Inertia),
             least=(self.mass * height * height, Inertia), code="impossible-body",
-            hint="give the moment about the support: ankle_inertia of dynamics human posture",
+            hint="give the moment about the point from which --centre-height is measured, or --gyration",
         )  # fmt: skip
         return square
 

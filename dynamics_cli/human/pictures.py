@@ -5,7 +5,7 @@ import math
 from dynamics_cli.errors import worded
 from dynamics_cli.human.bodies.figure import SPANS, Flexions, side_view
 from dynamics_cli.human.fall import forces_at
-from dynamics_cli.human.joints.moments import TURNS
+from dynamics_cli.human.joints.moments import ROUNDING, TURNS
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.pictures import Arrow, Axis, Curve, Label, Mark, Panel, Picture
 from dynamics_cli.quantities import STANDARD_GRAVITY, Angle, Force, Length, Mass, MusclePower, Time, Torque
@@ -21,6 +21,8 @@ BODY, CENTRES, GROUND, WEIGHT, MOMENT = 6, 6, 2, 1, 0
 ARC = 1.5 * math.pi
 ARC_POINTS = 48
 POSES = 7
+# How high and how wide the words of a joint are, in metres of the figure.
+LINE, WORDS = 0.07, 0.45
 # Above it the picture of the friction needed ends: a floor gives no more.
 MOST_FRICTION = 1.0
 
@@ -123,43 +125,56 @@ def moments(
     x, z = (float(plain(figure.centre[k])) for k in (0, 2))
     weight = numbers[0] * float(plain(gravity))
     items += [Mark(x, z, "", role=WEIGHT), Arrow(x, z, 0.0, -scale * weight, "", WEIGHT)]
-    items.append(
-        Label(x + 0.02, z - 0.3 * scale * weight, worded("{weight}", weight=(weight, Force)), WEIGHT, left=True)
-    )
+    words = worded("{weight}", weight=(weight, Force))
+    labels = [Label(x + 0.02, z - 0.3 * scale * weight, words, WEIGHT, left=True)]
     hand = joints["knuckle"]
     held = float(plain(load)) * float(plain(gravity))
     push = [float(plain(part)) for part in hand_force or (0.0, 0.0)]
     if held or any(push):
         items.append(Arrow(hand[0], hand[2], scale * push[0], scale * (push[1] - held), "", WEIGHT))
         words = worded("{held}", held=(float(plain(load)), Mass) if held else (math.hypot(*push), Force))
-        items.append(Label(hand[0] + 0.03, hand[2] + scale * (push[1] - held), words, WEIGHT, left=True))
+        labels.append(Label(hand[0] + 0.03, hand[2] + scale * (push[1] - held), words, WEIGHT, left=True))
     at = float(plain(answer.pressure_centre))
     items.append(Arrow(at - scale * up[0], -scale * up[1], scale * up[0], scale * up[1], "", GROUND))
     items.append(
         Label(at + 0.03, -0.6 * scale * up[1], worded("{force}", force=(math.hypot(*up), Force)), GROUND, left=True)
     )
-    items += _moment_arcs(answer, joints)
+    items += _moment_arcs(answer, joints, labels)
     items += _room(items)
     title = worded("joint moments, both sides; the largest at the {joint}", joint=answer.largest_joint)
     return Picture((Panel(Axis("forward", Length), Axis("up", Length), tuple(items), equal=True),), title)
 
 
-def _moment_arcs(answer: "Any", joints: "Mapping[str, Place]") -> "list[Any]":
-    largest = max(abs(float(plain(joint.moment))) for joint in answer.joints) or 1.0
+def _moment_arcs(answer: "Any", joints: "Mapping[str, Place]", labels: "list[Label]") -> "list[Any]":
+    """Arcs with the moments of the joints, beside the labels that are there already."""
+    sizes = {joint.name: abs(float(plain(joint.moment))) for joint in answer.joints}
+    largest = max(sizes.values())
+    rounding = ROUNDING * abs(float(plain(answer.ground_force[1])))
     items: list[Any] = []
     for joint in answer.joints:
-        moment = float(plain(joint.moment))
+        size = sizes[joint.name] if sizes[joint.name] > rounding else 0.0
         x, z = joints[joint.name][0], joints[joint.name][2]
-        anticlockwise = moment * TURNS[joint.name][2] > 0.0
-        radius = 0.03 + 0.07 * abs(moment) / largest
-        if abs(moment) > 0.02 * largest:
+        anticlockwise = float(plain(joint.moment)) * TURNS[joint.name][2] > 0.0
+        radius = 0.03 + 0.07 * (size / largest if size else 0.0)
+        if size > 0.02 * largest:
             items += _arc(x, z, radius, anticlockwise=anticlockwise)
-        words = worded("{name} {moment:3}", name=joint.name, moment=(abs(moment), Torque))
+        words = worded("{name} {moment:3}", name=joint.name, moment=(size, Torque))
         if joint.name in ("hip", "knee", "ankle", "neck"):
             items.append(Mark(x, z, words, (-8.0 - 220.0 * radius, 4.0), dot=False, role=MOMENT))
         else:
-            items.append(Label(x + radius + 0.03, z + 0.02, words, MOMENT, left=True))
-    return items
+            labels = [*labels, Label(x + radius + 0.03, z + 0.02, words, MOMENT, left=True)]
+    # words on the right start below those of the neck, which end at its left
+    ceiling = joints["neck"][2] - LINE if joints["shoulder"][0] < joints["neck"][0] else math.inf
+    return items + _below_each_other(labels, ceiling)
+
+
+def _below_each_other(labels: "list[Label]", ceiling: float) -> "list[Label]":
+    """Labels from the top down, each moved below the one before where they would cover each other."""
+    placed: list[Label] = []
+    for label in sorted(labels, key=lambda label: -label.y):
+        above = [other.y - LINE for other in placed if abs(other.x - label.x) < WORDS]
+        placed.append(Label(label.x, min(label.y, ceiling, *above), label.text, label.role, left=True))
+    return placed
 
 
 def _arc(x: float, y: float, radius: float, *, anticlockwise: bool) -> "list[Any]":

@@ -70,7 +70,7 @@ JACOBIAN = Task(
     headline=(
         "verdict: arm",
         "determinant: det J",
-        "manipulability: manipulability w",
+        "manipulability: manipulability w of the place",
         "speed_ratios: hand speed per joint speed",
         "shoulder_factor: shoulder, from singular",
         "elbow_factor: elbow, from straight",

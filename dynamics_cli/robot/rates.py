@@ -2,7 +2,7 @@
 
 from math import hypot, sqrt
 
-from dynamics_cli.errors import MissingError, require
+from dynamics_cli.errors import MissingError, require, worded
 from dynamics_cli.numerics.number import over_plain
 from dynamics_cli.numerics.singular_values import Singular
 from dynamics_cli.quantities import (
@@ -23,7 +23,7 @@ from dynamics_cli.records import Advice, Check, record
 from dynamics_cli.robot.arms.chain import Chain, chain_of, coordinates_of
 from dynamics_cli.robot.arms.records import ANGLES, SLIDES, Arm
 from dynamics_cli.robot.pose import is_planar, limit_advice
-from dynamics_cli.robot.velocities import SINGULAR, columns_of, idle_of, matrix_of
+from dynamics_cli.robot.velocities import CLOSE, SINGULAR, columns_of, idle_of, matrix_of
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -136,8 +136,19 @@ def rates(
             for name, speed, turns in zip(chain.names, speeds, turning, strict=True)
         ),
         checks=() if damping else (Check("the hand has its velocity", off <= REACHED, off, REACHED),),
-        advice=limit_advice(chain, q),
+        advice=(*limit_advice(chain, q), *_closeness(nearness, damping)),
     )
+
+
+def _closeness(nearness: float, damping: float) -> "tuple[Advice, ...]":
+    """Near a singular posture the speeds are large, without being wrong."""
+    if damping or nearness >= CLOSE:
+        return ()
+    message = worded(
+        "the arm is nearly singular here (ratio of singular values {nearness:2}): joint speeds are large",
+        nearness=(nearness, Ratio),
+    )
+    return (Advice("nearly-singular", message, remedy="--damping 0.02 limits them, at some error of the velocity"),)
 
 
 def _solved(parts: Singular, target: "Sequence[float]", damping: float) -> "list[float]":

@@ -251,3 +251,36 @@ def test_pictures(call: str, tmp_path: Path) -> None:
     out = run(*shlex.split(f"human {call} --plot {tmp_path}/picture.svg"))
     assert out.status == 0, out.err
     assert (tmp_path / "picture.svg").stat().st_size > 5000
+
+
+def test_moments_of_rounding_are_zero_and_no_muscle_works() -> None:
+    out = run(*shlex.split(f"human moments {WORKER} --load 15kg"))
+    rows = [
+        line.split() for line in out.out.splitlines() if line.strip().startswith(("neck", "shoulder", "knee", "hip"))
+    ]
+    assert len(rows) == 4
+    assert all(row[1:4] == ["0", "0", "none"] for row in rows), rows
+
+
+def test_the_muscle_of_the_other_side_pulls_too() -> None:
+    document = answer(*shlex.split(f'human moments {WORKER} {LIFT} --load 15kg --muscle "joint=knee, lever=4 cm"'))
+    knee = document["results"]["muscles"][0]
+    moment = next(row for row in document["results"]["joints"] if row["name"] == "knee")["moment"]["value"]
+    assert moment < 0.0
+    near(knee["force"], -moment / 0.04)
+    assert knee["muscles"] == "flexors"
+    assert knee["compression"]["value"] > knee["force"]["value"]
+    assert "flexors" in document["warnings"][0]["message"]
+
+
+def test_a_posture_gives_what_a_fall_takes() -> None:
+    body = results(f"posture {WORKER}")
+    near(body["gyration"], math.sqrt(12.079127860811843673 / 75.0))
+
+
+def test_the_whole_table_of_masses_is_shown_without_another_source() -> None:
+    call = 'human segments --mass "75 kg" --sex male --segment-table zatsiorsky --height "1.75 m"'
+    text = run(*shlex.split(call)).out
+    assert "rows more" not in text
+    assert "Leva" not in text
+    assert "lengths" not in text

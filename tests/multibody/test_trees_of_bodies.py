@@ -255,3 +255,28 @@ def test_partial_velocities_of_a_point(scene: Any) -> None:
     speeds = {"b1": 1.2, "b2": -0.8, "b3": 0.5, "b4 ωx": 0.3, "b4 ωy": -1.1, "b4 ωz": 0.6}
     total = [sum(speeds[row["speed"]] * row["velocity"]["value"][k] for row in results["partials"]) for k in range(3)]
     assert total == pytest.approx(results["point_velocity"]["value"], rel=1e-12)
+
+
+@pytest.mark.parametrize(
+    ("joint", "field", "value", "remedy"),
+    [
+        ("pin", "stiffness", "2 N/mm", "give torsion_stiffness"),
+        ("pin", "damping", "3 N*s/m", "give torsion_damping"),
+        ("slide", "torsion_stiffness", "2 N*m/rad", "give stiffness"),
+        ("slide", "rotor_inertia", "4 kg*m^2", "leave out rotor_inertia"),
+        ("ball", "damping", "3 N*s/m", "give torsion_damping"),
+        ("pin", "second_axis", "0, 1, 0", "leave out second_axis"),
+    ],
+)
+def test_what_a_joint_has_no_use_for_is_refused(scene: Any, joint: str, field: str, value: str, remedy: str) -> None:
+    body = {"name": "bar", "joint": joint, "mass": "2 kg", "rod": "1, 0, 0 m", field: value}
+    out = run("multibody", "efforts", scene([body]))
+    assert out.status == 3
+    assert field in out.err
+    assert remedy in out.err
+
+
+def test_a_mass_matrix_without_couplings_says_so(scene: Any) -> None:
+    text = run("multibody", "mass-matrix", scene([{"name": "bar", "mass": "2 kg", "rod": "1, 0, 0 m"}])).out
+    assert "none" in text
+    assert "|" not in text

@@ -102,7 +102,7 @@ def test_a_pose_goes_on_to_the_inverse_and_its_posture_back(tmp_path: Path) -> N
 
 def test_a_sideways_force_on_a_planar_arm() -> None:
     out = run(*shlex.split('robot jacobian --lengths "3, 4 ft" --angles "0, 90 deg" --force "0, 10, 0 lbf" --units us'))
-    assert "joint torques               [30, 0] lbf·ft" in out.out
+    assert "[30, 0] lbf·ft" in next(line for line in out.out.splitlines() if line.startswith("joint torques"))
 
 
 def test_a_slide_lifts_with_the_force_itself() -> None:
@@ -181,3 +181,26 @@ def test_pictures(call: str, tmp_path: Path) -> None:
     outcome = run("robot", *shlex.split(call), "--plot", str(target))
     assert outcome.status == 0, outcome.err
     assert b"nan" not in target.read_bytes()
+
+
+def test_a_target_on_the_first_axis_leaves_its_joint_open() -> None:
+    out = run(*shlex.split('robot inverse --lengths "500, 500 mm" --position "0, 0 mm"'))
+    assert "every angle of that" in out.out + out.err
+
+
+def test_four_parallel_axes_are_called_parallel() -> None:
+    out = run(*shlex.split('robot inverse --lengths "1, 1, 1, 1 m" --position "1, 1 m" --hand-angle 10deg'))
+    assert out.status == 3
+    assert "4 joints turn about parallel axes" in out.err
+
+
+def test_speeds_near_a_singular_posture_are_remarked() -> None:
+    call = 'robot rates --lengths "500, 400 mm" --velocity "0.1, 0, 0 m/s" --angles'
+    assert "nearly singular" in run(*shlex.split(call), "30, 0.001 deg").out
+    assert "nearly" not in run(*shlex.split(call), "30, 45 deg").out
+
+
+def test_uncertain_lengths_are_not_called_irrelevant() -> None:
+    out = run(*shlex.split('robot inverse --lengths "500 ± 1, 400 mm" --position "550, 350 mm"')).out
+    assert "none of the results" not in out
+    assert "hold at the means" in out

@@ -146,7 +146,7 @@ class _Answer:
             return f"{text} {unit}".rstrip()
         lost = isinstance(value, float) and abs(value) <= self._absolute_bound(address, value)
         value = 0.0 if lost else without_rounding(value)
-        if value == []:
+        if value in ([], ""):
             return "none"
         rough = address in self.task.unspread and not self.asked
         text = estimated(value, unit) if rough else quantity(value, unit, self.digits)
@@ -183,9 +183,9 @@ class _Answer:
 
     def tables(self, space: int) -> "list[str]":
         """Headline tables, without middle rows where they do not fit."""
-        named = [address for address in self.labels if address in self.table_names and self.results[address]]
         size = {"digits": self.digits, "width": self.width, "space": space}
-        lines = headline_tables(self.document, self.task, {address: self.labels[address] for address in named}, **size)
+        labels = {name: label for name, label in self.labels.items() if name in self.table_names and self.results[name]}
+        lines = headline_tables(self.document, self.task, labels, self.bounds, **size)
         saved = [file for file in self.document.get("files", ()) if file.get("written")]
         return lines + ([""] if saved else []) + [line for file in saved for line in file_lines(file, self.width)]
 

@@ -17,8 +17,9 @@ LEAST_SAVED = 4
 
 
 def headline_tables(
-    document: "dict[str, Any]", task: "Task", labels: "dict[str, str]", *, digits: int, width: int, space: int
-) -> "list[str]":
+    document: "dict[str, Any]", task: "Task", labels: "dict[str, str]", bounds: "dict[str, Any]", *, digits: int,
+    width: int, space: int,
+) -> "list[str]":  # fmt: skip
     """The tables with these labels by address, and beside uncertain results what inputs they are for."""
     tables = {address: document["results"][address] for address in labels}
     nominal: list[str] = []
@@ -31,11 +32,16 @@ def headline_tables(
     lines: list[str] = []
     for address, table in tables.items():
         lines_each = (space - len(nominal)) // len(tables)
-        lines += ["", *table_lines(table, address, labels[address], digits=digits, width=width, space=lines_each)]
+        lines += [
+            "",
+            *table_lines(table, address, labels[address], bounds, digits=digits, width=width, space=lines_each),
+        ]
     return lines + nominal
 
 
-def table_lines(node: "Any", address: str, label: str, *, digits: int, width: int, space: int) -> "list[str]":
+def table_lines(
+    node: "Any", address: str, label: str, bounds: "dict[str, Any]", *, digits: int, width: int, space: int
+) -> "list[str]":
     """A table within the available width and lines: first and last rows, and the columns that fit."""
     every = columns(node)
     title, _, wanted = label.partition(" | ")
@@ -44,7 +50,10 @@ def table_lines(node: "Any", address: str, label: str, *, digits: int, width: in
     cells = [[heads_of.get(name, in_words(name)) for name, _, _ in chosen], [unit for _, unit, _ in chosen]]
     body = [cells[0]] + ([cells[1]] if any(cells[1]) else [])
     heads = len(body)
-    texts = [[number(without_rounding(value), digits) for value in values] for _, _, values in chosen]
+    texts = [
+        [number(without_rounding(value, bounds.get(f"{address}.{name}")), digits) for value in values]
+        for name, _, values in chosen
+    ]
     body += [list(row) for row in zip(*texts, strict=True)]
     words = [any(isinstance(value, str) for value in values) for _, _, values in chosen]
     widths = [max(len(row[i]) for row in body) for i in range(len(chosen))]

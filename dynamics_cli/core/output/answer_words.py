@@ -44,6 +44,8 @@ def headline_labels(task: "Task", flat: "dict[str, tuple[Any, str]]", tables: "l
     The label "-" means none: the value stands alone. A name without an index covers all its items.
     """
     declared = dict(task.headline)
+    # a table without rows is a result like others, without columns
+    declared.update((name, declared[name].partition(" | ")[0]) for name in flat if name in declared)
     for name in flat:
         base = name.partition("[")[0]
         if base != name and base in declared:
@@ -257,8 +259,10 @@ def with_name(label: str, names: "dict[str, str]") -> str:
     return f"{names[word]} {rest}" if word in names else label
 
 
-def without_rounding(value: "Any") -> "Any":
-    """A vector or tensor with negligible components set to zero; anything else as it is."""
+def without_rounding(value: "Any", bound: "dict[str, Any] | None" = None) -> "Any":
+    """A vector or tensor with negligible components set to zero, and a number below its own error bound."""
+    if isinstance(value, float):
+        return 0.0 if bound and abs(value) <= bound.get("absolute", 0.0) else value
     largest = max((abs(item) for item in _numbers(value)), default=0.0)
 
     def cleared(node: "Any") -> "Any":

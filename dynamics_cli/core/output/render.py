@@ -309,9 +309,9 @@ def whole_table(document: "Document", name: str, digits: int, form: str, width: 
     if " | " in label and max(map(len, lines)) - 2 > room:
         from dynamics_cli.core.output.answer_tables import table_lines
 
-        return (
-            "\n".join(table_lines(sides[name], name, label, digits=digits, width=room, space=len(lines) + 9)[1:]) + "\n"
-        )
+        bounds = document["numerics"].get("error_bound", {})
+        lines = table_lines(sides[name], name, label, bounds, digits=digits, width=room, space=len(lines) + 9)
+        return "\n".join(lines[1:]) + "\n"
     if width:
         lines = _tables({name: sides[name]}, digits, width + 2)[2:]
     return "\n".join("" if line == f"  {name}, continued" else line[2:] for line in lines) + "\n"

@@ -65,7 +65,7 @@ def nominal_line(tables: "Sequence[Any]", document: "dict[str, Any]") -> "list[s
     """A line for tables of numbers beside uncertain results: they are not spread."""
     uncertain = "results" in document["numerics"].get("uncertainty", {})
     told = any(item["code"] == "nothing-varies" for item in document["warnings"])
-    numbers = [t for t in tables if any(isinstance(v, float) for _, _, values in columns(t) for v in values)]
+    numbers = [t for t in tables if any(isinstance(v, float | list) for _, _, values in columns(t) for v in values)]
     if not uncertain or told or not numbers:
         return []
     return [f"  {'tables' if len(numbers) > 1 else 'table'} at the inputs' nominal values"]

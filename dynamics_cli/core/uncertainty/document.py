@@ -6,7 +6,6 @@ import numpy as np
 
 from dynamics_cli.core.answering.limits import read_limits
 from dynamics_cli.core.answering.models import result_numbers
-from dynamics_cli.core.documents import is_table
 from dynamics_cli.core.inputs.settings import METHODS, read_coverage
 from dynamics_cli.core.inputs.uncertain.values import read_correlations
 from dynamics_cli.core.output.row_layout import nested
@@ -87,8 +86,9 @@ def add_uncertainty(
     if levels:
         document["quantiles"] = level_entries(levels, propagation, shown)
     document |= chance_entries(task.chances, propagation)
-    tables = any(map(is_table, document["results"].values()))
-    document["warnings"] += _warnings(propagation, _seen(task, settings), tables=tables)
+    spread = {name.partition("[")[0].partition(".")[0] for name in kinds}
+    nominal = any(isinstance(node, dict | list) for name, node in document["results"].items() if name not in spread)
+    document["warnings"] += _warnings(propagation, _seen(task, settings), nominal=nominal)
     if not pictured:
         return None, None
     from dynamics_cli.core.uncertainty.pictures import of_spread, spreads_of
@@ -295,7 +295,7 @@ def _same(one: Spread, other: Spread) -> bool:
     return one.interval == other.interval and one.median == other.median
 
 
-def _warnings(propagation: Propagation, seen: "set[str]", *, tables: bool) -> "list[dict[str, Any]]":
+def _warnings(propagation: Propagation, seen: "set[str]", *, nominal: bool) -> "list[dict[str, Any]]":
     """What a reader has to know of the intervals, and of a headline (`seen`) that has none."""
     out, vary = [], propagation.varying()
     partly = [s for s in propagation.spreads.values() if s.admissible < 1.0 - 1e-5]  # rarer: no digit
@@ -323,8 +323,8 @@ def _warnings(propagation: Propagation, seen: "set[str]", *, tables: bool) -> "l
         helps = "raise --time-limit, or give a smaller number of --samples"
         out.append({"code": "time-limit", "severity": "serious", "message": message, "remedy": helps})
     elif propagation.inputs and (not vary or (seen and not vary & seen)):
-        message = "none of the results here depends on the uncertain inputs"
-        message += "; tables hold the values at the means" if tables else ""
+        message = "no interval is calculated for these results: they hold at the means of the uncertain inputs"
+        message = message if nominal else "none of the results here depends on the uncertain inputs"
         out.append({"code": "nothing-varies", "severity": "caution", "message": message})
     return out + _no_deviations(propagation)
 
@@ -339,12 +339,7 @@ def _no_deviations(propagation: Propagation) -> "list[dict[str, Any]]":
         helps = f"use the median and the interval, or {other}"
         out.append({"code": "no-deviation", "severity": "caution", "message": message, "remedy": helps})
     if any(s.varies and not s.tails and not math.isfinite(s.std) for s in propagation.spreads.values()):
-        out.append(
-            {
-                "code": "no-deviation",
-                "severity": "note",
-                "message": "two or three readings give no standard deviation; intervals hold, shares are slopes",
-                "remedy": "four readings or more",
-            }
-        )
+        message = "two or three readings give no standard deviation; intervals hold, shares are slopes"
+        helps = "four readings or more"
+        out.append({"code": "no-deviation", "severity": "note", "message": message, "remedy": helps})
     return out

@@ -5,6 +5,7 @@ from dynamics_cli.human.bodies.centres import JointCentre, from_centres
 from dynamics_cli.human.bodies.figure import Figure, Flexions, Inclinations, side_view
 from dynamics_cli.human.bodies.person import Height, Lengths, provenance
 from dynamics_cli.human.bodies.tables import Sex
+from dynamics_cli.numerics.elementary import sqrt
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.quantities import Angle, Annotated, Inertia, InertiaTensor, Length, Mass, SpacePosition, Text
 from dynamics_cli.records import Advice, Check, record
@@ -36,6 +37,7 @@ class Posture:
     centre: Annotated[SpacePosition, "Mass centre: forward, left, up, from the floor below the ankles [m]."]
     height: Annotated[Length, "Height of the mass centre above the floor [m]."]
     inertia: Annotated[Inertia, "Moment of inertia about the mass centre and the left-right axis [kg*m^2]."]
+    gyration: Annotated[Length, "Radius of gyration about the mass centre and the left-right axis [m]."]
     ankle_inertia: Annotated[Inertia | None, "The same about the ankles: of the body as a pendulum [kg*m^2]."]
     tensor: Annotated[InertiaTensor | None, "Inertia tensor about the mass centre, axes forward, left, up [kg*m^2]."]
     balance: Annotated[Text | None, "Whether the mass centre is over the feet."]
@@ -117,6 +119,7 @@ def posture(
         centre=centre,
         height=centre[2],
         inertia=inertia,
+        gyration=sqrt(inertia / figure.mass),
         ankle_inertia=None if ankle is None else inertia + figure.mass * (
             (centre[0] - ankle[0]) * (centre[0] - ankle[0]) + (centre[2] - ankle[2]) * (centre[2] - ankle[2])
         ),

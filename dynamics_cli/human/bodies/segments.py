@@ -118,7 +118,7 @@ def segments(
         segments=answers,
         table="a table given with the call" if customs else provenance(segment_table, sex),
         checks=_checks(answers),
-        advice=_advice(whole, mass, size, lengths, {row.name for row in rows}, normalise=normalise),
+        advice=_advice(whole, mass, size, lengths, rows, normalise=normalise),
     )
 
 
@@ -190,7 +190,7 @@ def _checks(answers: "tuple[SegmentProperties, ...]") -> "tuple[Check, ...]":
 
 
 def _advice(
-    whole: float, mass: float, size: "Lengths | Height", lengths: "dict[str, float]", names: "set[str]", *,
+    whole: float, mass: float, size: "Lengths | Height", lengths: "dict[str, float]", rows: "list[Segment]", *,
     normalise: bool,
 ) -> "tuple[Advice, ...]":  # fmt: skip
     advice = []
@@ -206,12 +206,14 @@ def _advice(
             words = worded("a body mass index of {index:3} kg/m² is outside the sample of the table",
                            index=(index, Ratio))  # fmt: skip
             advice.append(Advice("sample", words, remedy="measure, or take a table made for such persons"))
-        if not lengths:
+        if not lengths and any(row.centroid is not None for row in rows):
             advice.append(Advice(
                 "lengths", "a height alone gives no lengths: mass centres stand as shares, moments are left out",
                 severity="note", remedy="give lengths, or --proportion with a source of yours",
             ))  # fmt: skip
-    unused = sorted(set(lengths) - names - {"shoulder"})
+    unused = sorted(set(lengths) - {row.name for row in rows} - {"shoulder"})
     if unused:
-        advice.append(Advice("unused", f"not in this table: the length of {', '.join(unused)}", severity="note"))
+        remedy = "--trunk-ends parts divides the trunk" if {"upper trunk", "lower trunk"} & {*unused} else ""
+        message = f"not in this table: the length of {', '.join(unused)}"
+        advice.append(Advice("unused", message, severity="note", remedy=remedy))
     return tuple(advice)

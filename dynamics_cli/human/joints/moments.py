@@ -49,6 +49,8 @@ TURNS = {
     "ankle": ("plantar flexors", "dorsiflexors", 1.0),
 }  # fmt: skip
 AGREE = 1e-9
+# A moment below this share of the weight, on a lever of a metre, is rounding: no muscle is at work.
+ROUNDING = 1e-12
 
 
 @record
@@ -189,7 +191,7 @@ def moments(
         residual_moment=None if ground is None or hip.below is None else hip.below - hip.moment,
         table=provenance("de-leva", sex),
         checks=() if ground is not None else _both_sides(joints, mass * gravity),
-        advice=_advice(loads, bool(muscles)),
+        advice=_advice(loads),
     )
 
 
@@ -244,12 +246,13 @@ def _joint(name: str, figure: Figure, actions: "dict[str, Action]", under: "Acti
         below = sign * turn
         if measured and name != "hip":
             moment, force = below, (forward, up)
-    anticlockwise = float(plain(moment)) * sign > 0.0
+    turning = float(plain(moment)) * sign
+    idle = abs(turning) <= ROUNDING * abs(float(plain(under[3])))
     return JointLoad(
         name=name,
         moment=moment,
         side=moment if name == "neck" else 0.5 * moment,
-        muscles=backwards if anticlockwise else forwards,
+        muscles="none" if idle else backwards if turning > 0.0 else forwards,
         force=force,
         below=below,
     )
@@ -307,10 +310,14 @@ def _both_sides(joints: "tuple[JointLoad, ...]", weight: float) -> "tuple[Check,
     return (Check("moments from above and from the ground", apart <= AGREE, apart, AGREE),)
 
 
-def _advice(loads: "tuple[MuscleLoad, ...]", given: bool) -> "tuple[Advice, ...]":
-    if given and any(float(plain(load.force)) < 0.0 for load in loads):
-        return (Advice(
-            "pushes", worded("a muscle would have to push: the moment is that of the muscles on the other side"),
-            remedy="give the lever of the muscles that the table of joints names",
-        ),)  # fmt: skip
-    return ()
+def _advice(loads: "tuple[MuscleLoad, ...]") -> "tuple[Advice, ...]":
+    """A lever is usually that of the extensors of legs and back and of the flexors of arms: say where others pull."""
+    usual = {name: backwards if sign > 0.0 else forwards for name, (backwards, forwards, sign) in TURNS.items()}
+    others = []
+    for load in loads:
+        joint = "hip" if load.joint == "back" else load.joint
+        if load.muscles not in (usual[joint], "none"):
+            words = worded("the moment at the {joint} is one of the {muscles}: the lever must be theirs",
+                           joint=load.joint, muscles=load.muscles)  # fmt: skip
+            others.append(Advice("other-muscles", words, severity="note"))
+    return tuple(others)

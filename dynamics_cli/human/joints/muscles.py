@@ -2,7 +2,7 @@
 
 from dynamics_cli.errors import require
 from dynamics_cli.human.bodies.figure import Figure
-from dynamics_cli.numerics.elementary import cos, sin
+from dynamics_cli.numerics.elementary import absolute, cos, sin
 from dynamics_cli.quantities import Annotated, Force, Length, Size, Text
 from dynamics_cli.records import Choice, record
 
@@ -36,6 +36,7 @@ class MuscleLoad:
     """The force of a single muscle, both sides together, and what the joint carries."""
 
     joint: Annotated[Text, "The joint."]
+    muscles: Annotated[Text, "Which muscles pull."]
     force: Annotated[Force, "Force of the muscle [N]."]
     compression: Annotated[Force, "Force along the segment that presses the joint together [N]."]
     shear: Annotated[Force, "Force across the segment [N]."]
@@ -43,7 +44,7 @@ class MuscleLoad:
 
 
 def muscle_loads(muscles: "tuple[Muscle, ...]", figure: Figure, joints: "dict[str, Any]") -> "tuple[MuscleLoad, ...]":
-    """F = M/b; the net force of the joint along and across the segment beside which the muscle runs.
+    """F = |M|/b; the net force of the joint along and across the segment beside which the muscle runs.
 
     Several muscles across one joint are refused: equilibrium has one equation for them.
     """
@@ -66,12 +67,13 @@ def _load(muscle: Muscle, figure: Figure, joints: "dict[str, Any]") -> MuscleLoa
         hint="give the distance of the muscle's line from the joint",
     )  # fmt: skip
     joint = joints["hip" if muscle.joint == "back" else str(muscle.joint)]
-    pull = joint.moment / muscle.lever
+    pull = absolute(joint.moment) / muscle.lever
     inclination = figure.inclinations[ALONG[muscle.joint]]
     along, across = cos(inclination), sin(inclination)
     forward, up = joint.force
     return MuscleLoad(
         joint=str(muscle.joint),
+        muscles=joint.muscles,
         force=pull,
         compression=pull + (forward * along + up * across),
         shear=up * along - forward * across,

@@ -114,6 +114,7 @@ class System:
 
     def _add(self, body: Body, links: "list[Link]") -> None:
         turns, slides = COUNTS[body.joint]
+        _refuse_what_the_joint_lacks(body, turns, slides)
         state = _state(body, turns, slides)
         mass, centroid, tensor = _inertia(body)
         parts = _parts(body, str(body.joint))
@@ -224,6 +225,22 @@ def _spring(body: Body, turning: bool, place: "int | None") -> Spring:
     spring.lower, spring.upper = lower, upper
     spring.stop = body.stop_torsion_stiffness if turning else body.stop_stiffness
     return spring
+
+
+def _refuse_what_the_joint_lacks(body: Body, turns: int, slides: int) -> None:
+    """Refuse springs, dampers, rotors and axes that the joint has no use for, instead of leaving them out."""
+    for address, fits, instead in (
+        ("torsion_stiffness", turns, "stiffness"), ("torsion_damping", turns, "damping"),
+        ("stiffness", slides, "torsion_stiffness"), ("damping", slides, "torsion_damping"),
+        ("rotor_inertia", turns in (1, 2), ""), ("second_axis", body.joint == "universal", ""),
+    ):  # fmt: skip
+        value = getattr(body, address)
+        require(
+            fits or value is None or (address != "second_axis" and not plain(value)),
+            "{body} gives {address}, which its {joint} joint does not take", body=body.name, address=address,
+            joint=str(body.joint), code="state",
+            hint=f"give {instead}" if instead and turns + slides else f"leave out {address}",
+        )  # fmt: skip
 
 
 def _parts(body: Body, kind: str) -> "list[tuple[str, Vector, str]]":

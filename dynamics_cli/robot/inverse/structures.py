@@ -22,8 +22,8 @@ POSITION = "three joints, axes 2 and 3 parallel"
 SPHERICAL = "spherical wrist, axes 2 and 3 parallel"
 PARALLEL = "axes 2, 3 and 4 parallel, 5 and 6 meet"
 CLOSED = (
-    "arms with all axes parallel; of three joints with axes 2 and 3 parallel; of six joints with axes 2 and 3 parallel "
-    "and a spherical wrist, or with axes 2, 3 and 4 parallel and 5 and 6 that meet"
+    "arms of two or three turning joints with all axes parallel; of three joints with axes 2 and 3 parallel; of six "
+    "joints with axes 2 and 3 parallel and a spherical wrist, or with axes 2, 3 and 4 parallel and 5 and 6 that meet"
 )
 
 
@@ -120,6 +120,8 @@ def _why(axes: "tuple[Vector, ...]", points: "tuple[Vector, ...]", turning: "tup
     count, slides = len(axes), turning.count(False)
     if slides:
         return f"it has {slides} prismatic joint{'s' * (slides > 1)}, and its axes are not all parallel"
+    if all(parallel(axes[0], axis) for axis in axes[1:]):
+        return f"its {count} joints turn about parallel axes, and a pose in the plane determines three of them"
     if count != 6:
         return f"it has {count} joints, and its axes are not all parallel"
     if not parallel(axes[1], axes[2]):

@@ -59,6 +59,7 @@ class Solution:
     wrist_sum: Annotated[
         Angle | None, "In line: the first wrist angle plus the last, all that the pose determines [rad]."
     ]
+    undetermined: Annotated[Text | None, "A joint whose angle the pose leaves open: its axis goes through the target."]
     position_error: Annotated[Size, "Distance of its hand from the position given [m]."]
     turn_error: Annotated[Angle, "Its hand's turn from the orientation given [rad]."]
     angle_error: Annotated[Angle, "Estimate of how well a pose in doubles determines the angles [rad]."]
@@ -234,10 +235,20 @@ def _solution(
         elbow_margin=None if elbow is None else elbow.margin,
         wrist_margin=None if wrist is None else wrist.margin,
         wrist_sum=total,
+        undetermined=_left_open(structure, posture, chain.names),
         position_error=hypot(*subtract(hand.position, pose[0])),
         turn_error=_between(hand.rotation, pose[1]) if free else 0.0,
         angle_error=error,
     )
+
+
+def _left_open(structure: Structure, posture: Posture, names: "Sequence[str]") -> "str | None":
+    """The joint about whose axis the target lies, so that every angle of it will do."""
+    if posture.shoulder is not None and posture.shoulder.free:
+        return names[structure.turns[0]]
+    if posture.elbow is not None and posture.elbow.free:
+        return names[structure.turns[0 if structure.kind == PLANAR else 1]]
+    return None
 
 
 def _whole_turns(value: float, low: float, high: float, beside: float) -> float:
@@ -289,6 +300,12 @@ def _singular(structure: Structure, row: Solution, near: bool) -> "list[Advice]"
             free=last if structure.kind == PARALLEL else first, as_="from --near" if near else "as zero",
         )  # fmt: skip
         return [Advice("wrist-singular", message, remedy="" if near else "give the joints now by --near")]
+    if row.undetermined is not None:
+        message = worded(
+            "posture {number}: the target is on the axis of joint {joint}: every angle of that joint gives the pose, "
+            "and one of them is shown", number=row.number, joint=row.undetermined,
+        )  # fmt: skip
+        return [Advice("undetermined", message)]
     out = []
     for name, margin, small in (
         ("wrist", row.wrist_margin, NEAR),
