@@ -66,3 +66,9 @@ def test_a_serious_warning_of_one_row_fails() -> None:
     cases = "moments[0][kg*m^2],moments[1][kg*m^2],moments[2][kg*m^2]\n2,3,4\n1,1,2.1\n"
     words = ("inertia", "tensor", "--rows", "-", "--tolerance", "0.2")
     assert [run(*words, *more, stdin=cases).status for more in ((), ("--fail",))] == [0, 6]
+
+
+def test_an_uncertain_sweep_shows_its_probabilities_first() -> None:
+    words = ["skid", "speed", "--distance", "20 ± 1 m", "--sweep", "friction=0.3, 0.4", "--limit", "time=3 s"]
+    heads = run(*words, env={"COLUMNS": "80"}).out.splitlines()[1].split("  ")
+    assert [head.strip() for head in heads if head][:3] == ["friction", "time", "beyond limit"]

@@ -165,7 +165,11 @@ def test_wrong_sweeps(axis: str, code: str | None) -> None:
     ("axis", "remedy"),
     [
         ("distance=20 m:21 m:1", 'in steps of 1: --sweep "distance=20 m:21 m:2"'),
-        ("friction=0.3:0.9:0.7", "from 0.3 to 0.9 is not a whole number of steps of 0.7"),
+        ("friction=0.3:0.9:0.7", "from 0.3 to 0.9 is not a whole number of steps of 0.7; for example"),
+        (
+            "friction=0.2:0.9:0.3",
+            'from 0.2 to 0.9 is not a whole number of steps of 0.3: --sweep "friction=0.2:0.8:0.3"',
+        ),
         ("friction=0.3:0.9:-0.1", "from 0.3 to 0.9"),
         ("friction=0.3:0.9:0", "for example"),
         ("distance=20 ft:60:5 kg", "from 20 ft to 60"),
@@ -175,6 +179,36 @@ def test_a_step_that_does_not_reach_the_end_is_refused(axis: str, remedy: str) -
     with pytest.raises(UsageError) as caught:
         sweep(PROBE, [axis])
     assert str(caught.value.hint).startswith(remedy)
+
+
+@pytest.mark.parametrize("step", ["10", "-10"])
+def test_steps_go_downwards_from_a_larger_number(step: str) -> None:
+    column = answer("skid", "speed", "--friction", "0.7", "--sweep", f"distance=60:20:{step} m")["results"]["sweep"]
+    assert column["distance"]["value"] == [60.0, 50.0, 40.0, 30.0, 20.0]
+
+
+@pytest.mark.parametrize(
+    ("points", "message"),
+    [
+        ("friction=0,5, 0,7", "'0,5, 0,7' may be numbers with decimal commas"),
+        ("distance=1,000, 2,000 m", "'1,000, 2,000 m' may be numbers with decimal commas"),
+        ("friction=0.3, 0.5 ± 0.1", "the points '0.3, 0.5 ± 0.1' are uncertain"),
+        ("distance=20, 40 m,", "'20, 40 m,' has an empty item"),
+    ],
+)
+def test_lists_that_may_be_read_in_two_ways_are_refused(points: str, message: str) -> None:
+    outcome = run("skid", "speed", "--distance", "20 m", "--friction", "0.7", "--sweep", points, "--json")
+    assert (outcome.status, outcome.error["parameter"], outcome.error["message"]) == (2, "sweep", message)
+
+
+def test_a_vector_is_swept_by_its_components() -> None:
+    words = ["impact", "oblique", "--first-mass", "1 kg", "--first-velocity", "3, 1 m/s", "--second-mass", "1 kg"]
+    words += ["--second-velocity", "0, 0 m/s", "--normal", "0 deg", "--restitution", "0.9", "--sweep"]
+    refused = run(*words, "first-velocity=1, 2 m/s", "--json")
+    assert refused.error["hint"] == 'sweep one component of it: --sweep "first.velocity[0]=1, 2 m/s"'
+    column = answer(*words, "first-velocity[0]=1, 2 m/s")["results"]["sweep"]["second.speed"]["value"]
+    words[5] = "2, 1 m/s"
+    assert column[1] == answer(*words[:-1])["results"]["second"]["speed"]["value"]
 
 
 def test_too_many_points() -> None:

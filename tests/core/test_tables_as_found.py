@@ -1,5 +1,7 @@
 """Tables as people have them: other separators, titles for names, mistakes in every row."""
 
+from math import hypot
+
 import pytest
 from harness import run
 
@@ -51,6 +53,42 @@ def test_an_ending_that_is_no_unit_of_the_parameter_is_none() -> None:
         stdin="first_mass_kg,first_velocity_mph,second_mass_kg,restitution\n2,3,1,0.5\n",
     )
     assert inner.status == 0
+
+
+@pytest.mark.parametrize(
+    ("head", "row", "wanted"),
+    [
+        ("distance_ft,friction,End speed km/h", "60,0.7,10", "57.913882720715584"),
+        ("distance_ft,friction,end_speed_km_h", "60,0.7,10", "57.913882720715584"),
+        ("distance_ft,friction,gravity_g", "60,0.7,1", "57.04399891126848"),
+        ("distance_ft,friction,gravity_m_s2", "60,0.7,9.80665", "57.04399891126848"),
+    ],
+)
+def test_units_of_several_words_and_those_of_a_kind(head: str, row: str, wanted: str) -> None:
+    assert run(*SPEED, stdin=f"{head}\n{row}\n").out.splitlines()[1].split(",")[3] == wanted
+
+
+@pytest.mark.parametrize(
+    ("heads", "cells"),
+    [
+        ("first_weight_lb,first_velocity_mph", '3,"3, 4"'),
+        ("first_weight[lb],first_velocity[0][mph],first_velocity[1][mph]", "3,3,4"),
+        ("first_weight[lbf],first_velocity[mph]", "3,5 @ 53.13010235415598 deg"),
+    ],
+)
+def test_parts_of_a_body_are_columns_under_the_names_of_options(heads: str, cells: str) -> None:
+    words = ["impact", "oblique", "--normal", "0 deg", "--restitution", "0.5", "--only", "first.speed", "--rows", "-"]
+    outcome = run(*words, stdin=f'{heads},second_mass_kg,second_velocity\n{cells},2,"0, 0 m/s"\n')
+    mass = 3.0 * 0.45359237
+    along = 3.0 * (mass - 0.5 * 2.0) / (mass + 2.0)
+    assert float(outcome.out.splitlines()[1].split(",")[-2]) == pytest.approx(0.44704 * hypot(along, 4.0), rel=1e-12)
+    assert not outcome.err
+
+
+def test_a_misspelt_part_of_a_body_is_named() -> None:
+    words = ["impact", "oblique", "--normal", "0 deg", "--restitution", "0.5", "--rows", "-", "--first-mass", "1 kg"]
+    outcome = run(*words, stdin="first_velocity_mph,first_radus\n")
+    assert "'first_radus' is not a parameter of impact oblique and passes through (not first_radius?)" in outcome.err
 
 
 def test_a_name_comes_before_a_title() -> None:

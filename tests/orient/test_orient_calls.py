@@ -229,3 +229,12 @@ def test_an_uncertain_disk_has_its_circles() -> None:
     # r·|ψ̇/φ̇|, in proportion to the radius
     assert results["contact_path_radius"]["value"] == pytest.approx(0.35 * 540 / 40)
     assert results["contact_path_radius"]["std"] == pytest.approx(0.01 * 540 / 40, rel=1e-3)
+
+
+def test_rows_of_disks_have_radii_where_the_tilt_is_steady() -> None:
+    """Among rows that sway: the first and the last row alone would not show it."""
+    rates = [0.4, *[0.0, 0.4] * 160, 0.4]
+    lines = "".join(f"0.35,60,1.5,-6,{rate}\n" for rate in rates)
+    head = "radius[m],tilt[deg],heading_rate[rad/s],spin_rate[rad/s],tilt_rate[rad/s]\n"
+    out = run("orient", "disk", "--rows", "-", "--only", "centre_path_radius", stdin=head + lines).out
+    assert [bool(line.split(",")[5]) for line in out.splitlines()[1:]] == [not rate for rate in rates]

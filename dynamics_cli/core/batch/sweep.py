@@ -54,8 +54,8 @@ class _Points(Case):
         self.layout = self._layout(Display(settings.units, settings.to))
         self.start = with_objects(gathered.raw, task.specification.fields)
         for axis in axes:
-            if isinstance(axis.path[-1], int) and len(axis.path) == 2:
-                self.start = with_list(self.start, str(axis.path[0]))
+            if isinstance(axis.path[-1], int):
+                self.start = with_list(self.start, axis.path[:-1])
             if axis.path[-1] in ("magnitude", "direction"):
                 self.start = with_polar(self.start, axis.path[:-1])
         self.axes = axes

@@ -1,5 +1,7 @@
 """The points of a sweep: START:STOP:COUNT, or a list; in exact ratios, each rounded once, in the unit written."""
 
+import re
+
 from dynamics_cli.core.answering.task import Task
 from dynamics_cli.core.inputs.forms.leading import pairs_of
 from dynamics_cli.core.inputs.forms.splitting import split_list
@@ -13,7 +15,7 @@ from dynamics_cli.errors import UsageError
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
-    from collections.abc import Sequence
+    from collections.abc import Iterator, Sequence
     from typing import Any
 
     from dynamics_cli.core.inputs.specification import Field, Node
@@ -23,6 +25,8 @@ if TYPE_CHECKING:
 EXAMPLE = 'for example --sweep "friction=0.3:0.9:7", --sweep "distance=20:60:10 ft" or --sweep "friction=0.3, 0.5, 0.7"'
 WANTED = "START:STOP:COUNT, START:STOP:STEP with the step's unit or a decimal, or a list A, B, C"
 MOST = 1_000_000
+# 0,5, 0,7
+_DECIMAL_COMMAS = re.compile(r"-?\d+,\d+(, +-?\d+,\d+)+(?![\d,]).*").fullmatch
 
 
 class Axis:
@@ -88,10 +92,16 @@ def _axis(task: Task, name: str, text: str) -> Axis:
         address += f"[{step}]" if isinstance(step, int) else f".{step}"
     address = address.lstrip(".")
     parts = [part.strip() for part in text.split(":")]
-    items = [item.strip() for item in split_list(text)]
     try:
+        nodes = list(_nodes_at(task.specification.fields, path))
+        if nodes and all(map(_is_vector, nodes)):
+            hint = f'sweep one component of it: --sweep "{address}[0]={text}"'
+            raise UsageError(f"{address} is a vector", code="not-a-number", hint=hint)
+        words = any(map(_takes_words, nodes))
+        if not words:
+            _check_points(text)
+        items = [item.strip() for item in split_list(text)]
         if len(parts) == 1 and len(items) > 1 and all(items):
-            words = _are_words(task.specification.fields, path)
             return Axis(address, path, *(("", items) if words else _listed(items)), listed=True)
         if len(parts) != 3 or not all(parts):
             raise UsageError(f"read {text!r}, wanted {WANTED}", code="syntax", hint=EXAMPLE)
@@ -104,8 +114,8 @@ def _axis(task: Task, name: str, text: str) -> Axis:
         raise
 
 
-def _are_words(fields: "tuple[Field, ...]", path: "tuple[str | int, ...]") -> bool:
-    """Whether the parameter at a path takes words: a choice, a name, yes or no."""
+def _nodes_at(fields: "tuple[Field, ...]", path: "tuple[str | int, ...]") -> "Iterator[Leaf | Tagged]":
+    """What stands at a path: a leaf, or alternatives that its word distinguishes; several where alternatives differ."""
     for field in fields:
         node: Node = field.node.item if isinstance(field.node, Many) else field.node
         steps = path[1:] if field.key == path[0] else path if path[0] in field.known else None
@@ -113,14 +123,23 @@ def _are_words(fields: "tuple[Field, ...]", path: "tuple[str | int, ...]") -> bo
             continue
         if isinstance(node, Leaf):
             if not steps:
-                return node.choice is not None or node.kind.form in ("text", "flag")
+                yield node
             continue
         steps = steps[1:] if steps and isinstance(steps[0], int) else steps
         if isinstance(node, Tagged) and steps == (node.key,):
-            return True
-        if steps and any(_are_words(member.fields, steps) for member in members_of(node)):
-            return True
-    return False
+            yield node
+        elif steps:
+            for member in members_of(node):
+                yield from _nodes_at(member.fields, steps)
+
+
+def _takes_words(node: "Leaf | Tagged") -> bool:
+    """Whether it is a choice, a name, yes or no."""
+    return isinstance(node, Tagged) or node.choice is not None or node.kind.form in ("text", "flag")
+
+
+def _is_vector(node: "Leaf | Tagged") -> bool:
+    return isinstance(node, Leaf) and node.kind.form in ("vector", "planar") and node.kind.size > 1
 
 
 def _listed(items: "list[str]") -> "tuple[str, list[float | str]]":
@@ -143,6 +162,16 @@ def _listed(items: "list[str]") -> "tuple[str, list[float | str]]":
     return units[0].text if units else "", values
 
 
+def _check_points(text: str) -> None:
+    """Refuse uncertain points, and numbers that may be read in two ways."""
+    if any(mark in text for mark in ("±", "+/-", "..")):
+        hint = f"only other parameters may be uncertain; {EXAMPLE}"
+        raise UsageError(f"the points {text!r} are uncertain", code="uncertain", hint=hint)
+    if _DECIMAL_COMMAS(text.strip()):
+        hint = "write decimals with a point and thousands without a comma, or a space after every comma of a list"
+        raise UsageError(f"{text!r} may be numbers with decimal commas", code="number", hint=hint)
+
+
 def _count(name: str, first: str, last: str, third: str) -> int:
     """The number of points, given itself or by the step from one to the next."""
     if third.isascii() and third.isdigit():
@@ -153,24 +182,45 @@ def _count(name: str, first: str, last: str, third: str) -> int:
     else:
         if by_step := _steps(first, last, third):
             return by_step
-        hint = f"from {first} to {last} is not a whole number of steps of {third}; {EXAMPLE}"
+        hint = f"from {first} to {last} is not a whole number of steps of {third}"
+        reached = _reached(first, last, third)
+        hint += f': --sweep "{name}={first}:{reached}:{third}"' if reached else f"; {EXAMPLE}"
     message = f"read {third!r}, wanted a count of points from 2 to {MOST:,}, or a step"
     raise UsageError(message, code="count", hint=hint)
 
 
-def _steps(first: str, last: str, third: str) -> int:
-    """The number of points of a sweep whose third part is the step; 0 where it is none, or does not reach the end."""
+def _stepped(first: str, last: str, third: str) -> "tuple[int, tuple[int, int], str]":
+    """The steps that fit between both ends, where the last of them ends, and its unit; none where the third is no step.
+
+    From a larger number to a smaller one they go downwards, with or without the sign of the step.
+    """
     try:
         start, stop, unit = _ends(first, last)
         up, down, own = _read(third)
         if own.text and unit and own.text != unit:
             up, down, _ = convert(up, down, own, _read(first if _read(first)[2].text else last)[2])
     except UsageError:
-        return 0
-    if not up:
-        return 0
-    steps, remainder = divmod((stop[0] * start[1] - start[0] * stop[1]) * down, start[1] * stop[1] * up)
-    return steps + 1 if not remainder and 0 < steps < MOST else 0
+        return 0, (0, 1), ""
+    way = stop[0] * start[1] - start[0] * stop[1]
+    up = -abs(up) if way < 0 else up
+    if up * way <= 0:
+        return 0, (0, 1), ""
+    steps = way * down // (start[1] * stop[1] * up)
+    return steps, (start[0] * down + steps * up * start[1], start[1] * down), unit
+
+
+def _steps(first: str, last: str, third: str) -> int:
+    """The number of points of a sweep whose third part is the step; 0 where it is none, or does not reach the end."""
+    steps, end, _ = _stepped(first, last, third)
+    stop = _ends(first, last)[1] if steps else end
+    return steps + 1 if end[0] * stop[1] == stop[0] * end[1] and 0 < steps < MOST else 0
+
+
+def _reached(first: str, last: str, step: str) -> str:
+    """Where steps that do not reach the end stop, as it would be typed."""
+    steps, end, unit = _stepped(first, last, step)
+    unit = unit if _read(last)[2].text else ""
+    return f"{nearest(*end, 0):.12g} {unit}".rstrip() if 0 < steps < MOST else ""
 
 
 def _path(task: Task, name: str) -> "tuple[str | int, ...]":
@@ -181,9 +231,9 @@ def _path(task: Task, name: str) -> "tuple[str | int, ...]":
     steps = tuple(split_address(address))
     if steps[0] in parameters:
         return steps
-    option = task.options.get(name.replace("_", "-"))
+    option = task.options.get(str(steps[0]).replace("_", "-"))
     if option is not None and not option.repeats:
-        return option.path
+        return *option.path, *steps[1:]
     from dynamics_cli.core.units.near_names import nearest_words
 
     near = nearest_words(address, parameters)
@@ -242,16 +292,23 @@ def copied(raw: "Any") -> "Any":
     return raw
 
 
-def with_list(raw: "Raw", name: str) -> "Raw":
+def with_list(raw: "Raw", path: "tuple[str | int, ...]") -> "Raw":
     """A vector given as one text, or as a list with a unit, as a list of components each with its unit."""
-    value = raw.get(name)
-    if isinstance(value, dict) and isinstance(value.get("value"), list):
-        return {**raw, name: [f"{item} {value.get('unit') or ''}".strip() for item in value["value"]]}
-    if not isinstance(value, str):
+    raw = copied(raw)
+    inner: Any = raw
+    try:
+        for step in path[:-1]:
+            inner = inner[step]
+        value = inner[path[-1]]
+    except (KeyError, IndexError, TypeError):
         return raw
-    items = split_list(value.strip().removeprefix("(").removesuffix(")"))
-    unit = read_amount(items[-1]).parts[-1][2]
-    return {**raw, name: [item if read_amount(item).parts[-1][2] else f"{item} {unit}".strip() for item in items]}
+    if isinstance(value, dict) and isinstance(value.get("value"), list):
+        inner[path[-1]] = [f"{item} {value.get('unit') or ''}".strip() for item in value["value"]]
+    elif isinstance(value, str) and "@" not in value:
+        items = split_list(value.strip().removeprefix("(").removesuffix(")"))
+        unit = read_amount(items[-1]).parts[-1][2]
+        inner[path[-1]] = [item if read_amount(item).parts[-1][2] else f"{item} {unit}".strip() for item in items]
+    return raw
 
 
 def with_polar(raw: "Raw", path: "tuple[str | int, ...]") -> "Raw":

@@ -52,10 +52,15 @@ def sweep_columns(document: "dict[str, Any]", headline: "Sequence[str]") -> "tup
     table = document["results"]["sweep"]
     share = f"{100.0 * document['numerics']['uncertainty']['coverage']:.6g} %"
     heads = {}
-    for name in dict.fromkeys([*(axis["parameter"] for axis in document["inputs"]["sweep"]), *headline, *table]):
+    chances = [name for name in table if name.rpartition(".")[2].startswith("limit_probability")]
+    # What is asked for comes first: a screen may not hold all columns.
+    limited = [name.rpartition(".")[0] for name in chances]
+    swept = [axis["parameter"] for axis in document["inputs"]["sweep"]]
+    for name in dict.fromkeys([*swept, *limited, *headline, *table]):
         result, _, figure = name.rpartition(".")
-        if name in table and (figure not in SPREAD or result not in table):
+        if name in table and name not in chances and (figure not in SPREAD or result not in table):
             heads[name] = ""
+            heads |= {chance: "beyond limit" for chance in chances if chance.rpartition(".")[0] == name}
             heads |= {f"{name}.low": f"{share} from", f"{name}.high": "to"} if f"{name}.low" in table else {}
     ordered = {name: table[name] for name in dict.fromkeys([*heads, *table])}
     return ordered, "sweep | " + ", ".join(f"{name}={head}" for name, head in heads.items())

@@ -2,7 +2,7 @@
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import absolute
-from dynamics_cli.numerics.number import plain, single
+from dynamics_cli.numerics.number import decides, plain, single
 from dynamics_cli.numerics.orientation.quaternions import opposite
 from dynamics_cli.numerics.orientation.rotations import about_axis, product
 from dynamics_cli.numerics.turns import turned
@@ -106,7 +106,7 @@ def disk(
     rim = at(opposite(radius * sine), radius * cosine)
     fixed = product(about_axis(2, heading), about_axis(0, tilt))
     # of samples as of one case; of rows each one is asked
-    asked = drawing() or single(u, *velocity, s)
+    asked = drawing() or decides(u, *velocity, s)
     steady = asked and not any(map(_somewhere, (tilt_rate, tilt_acceleration, heading_acceleration)))
     circles = steady and _somewhere(heading_rate)
     return Disk(
@@ -128,7 +128,8 @@ def disk(
 
 def _somewhere(rate: float) -> bool:
     """Whether a rate is not zero; of samples, whether that of any is not."""
-    return bool((rate != 0.0).any()) if getattr(rate, "ndim", 0) else plain(rate) != 0.0  # type: ignore[attr-defined]
+    turns = plain(rate) != 0.0
+    return bool(turns if decides(turns) else turns.any())  # type: ignore[attr-defined]
 
 
 def _turning(c: float, s: float, first: Vector, second: Vector) -> "tuple[Vector, Vector]":

@@ -9,6 +9,8 @@ TYPE_CHECKING = False
 if TYPE_CHECKING:
     from typing import Any
 
+    from dynamics_cli.quantities import Kind
+
 
 class Column:
     """A column of CSV: the path of the parameter it gives (none when it only passes through), and its unit."""
@@ -21,16 +23,17 @@ class Column:
         self.path: tuple[str | int, ...] = ()
         if self.address.startswith("results."):
             self.address = self.address.removeprefix("results.")
-        option = case.task.options.get(self.name.replace("_", "-"))
         try:
             steps = tuple(split_address(self.address))
         except UsageError:
-            steps = ()
-        if steps and steps[0] in case.names:
+            return
+        option = case.task.options.get(str(steps[0]).replace("_", "-"))
+        if steps[0] in case.names:
             self.path = steps
         elif option is not None and not option.repeats:
-            self.path = option.path
-            self.address = ".".join(option.path)
+            # first_velocity[0]
+            self.path = (*option.path, *steps[1:])
+            self.address = ".".join(option.path) + self.address[len(str(steps[0])) :]
 
     def take_title(self, text: str, case: Case, taken: "set[tuple[str | int, ...]]") -> None:
         """Give the parameter that a title like `End speed (km/h)` or `distance_ft` means, if no other column does."""
@@ -45,7 +48,10 @@ class Column:
     def raw(self, cell: str) -> "Any":
         """A cell as raw input; a bare number takes the header's unit."""
         cell = without_guard(cell)
-        return f"{cell} {self.unit}" if self.unit and cell.rstrip()[-1:] in tuple("0123456789.") else cell
+        size, at, direction = cell.partition("@")
+        if self.unit and size.rstrip()[-1:] in tuple("0123456789."):
+            return f"{size} {self.unit} {at}{direction}" if at else f"{cell} {self.unit}"
+        return cell
 
     @property
     def is_error(self) -> bool:
@@ -72,15 +78,24 @@ def split_title(text: str) -> "tuple[str, str]":
 
 def split_suffix(text: str, case: Case) -> "tuple[tuple[str | int, ...], str]":
     """`distance_ft` as the path of the parameter and its unit, where the ending is a unit of it; or empty."""
-    from dynamics_cli.core.units.lookup import parse_unit
-    from dynamics_cli.core.units.unit import conformable
+    words = text.strip().replace("-", "_").replace(" ", "_").split("_")
+    for size in (1, 2):
+        option = case.task.options.get("-".join(words[:-size]).lower())
+        if option is None or option.repeats or option.leaf is None or not option.leaf.kind.unit:
+            continue
+        # end_speed_km_h, torque_N_m
+        for unit in dict.fromkeys(sign.join(words[-size:]) for sign in "/*"):
+            if unit[:1].isalpha() and _fits(unit, option.leaf.kind):
+                return option.path, unit
+    return (), ""
 
-    name, _, unit = text.strip().replace("-", "_").rpartition("_")
-    option = case.task.options.get(name.lower().replace("_", "-"))
-    if option is None or option.repeats or option.leaf is None or not option.leaf.kind.unit:
-        return (), ""
+
+def _fits(unit: str, kind: "Kind") -> bool:
+    """Whether a parameter of this kind may have this unit: `lb` is one of a mass and of a force."""
+    from dynamics_cli.core.inputs.quantity_text import read_scalar
+
     try:
-        fits = conformable(parse_unit(unit), parse_unit(option.leaf.kind.unit))
-    except UsageError:
-        return (), ""
-    return (option.path, unit) if fits else ((), "")
+        read_scalar(f"1 {unit}", kind)
+    except UsageError as error:
+        return error.code == "bounds"
+    return True
