@@ -1,7 +1,7 @@
 """What a person is given by: lengths of segments, or a height with proportions; a table of one's own."""
 
 from dynamics_cli.errors import UsageError, require
-from dynamics_cli.human.bodies.tables import DE_LEVA, SAMPLES, SOURCES, Segment, Sex
+from dynamics_cli.human.bodies.tables import DE_LEVA, SAMPLES, SOURCES, Segment, Sex, plain_name
 from dynamics_cli.quantities import Annotated, Count, Fraction, Length, Ratio, Text
 from dynamics_cli.records import Choice, record
 
@@ -109,7 +109,7 @@ class Height:
         require(self.height > 0.0, "the height of {height} is not above zero", height=(self.height, Length))
         lengths = {}
         for proportion in self.proportions or ():
-            name = proportion.segment.strip().lower().replace("_", " ").replace("-", " ")
+            name = plain_name(proportion.segment)
             if name not in NAMES:
                 raise UsageError(
                     f"there is no segment {proportion.segment!r}", code="segment", parameter="proportions",

@@ -150,22 +150,22 @@ def _rows(
 
 def _of_customs(customs: "tuple[CustomSegment, ...]") -> "list[Segment]":
     return [
-        Segment(one.name, "", one.share, one.centroid, one.front_back, one.left_right, one.lengthwise)
-        for one in customs
+        Segment(row.name, "", row.share, row.centroid, row.front_back, row.left_right, row.lengthwise)
+        for row in customs
     ]
 
 
 def _properties(row: Segment, count: int, mass: float, factor: float, length: "float | None") -> SegmentProperties:
-    own = row.share * factor * mass
+    segment_mass = row.share * factor * mass
 
     def moment(radius: "float | None") -> "float | None":
-        return None if radius is None or length is None else own * ((radius * length) * (radius * length))
+        return None if radius is None or length is None else segment_mass * ((radius * length) * (radius * length))
 
     return SegmentProperties(
         name=row.name,
         ends=row.ends or None,
         count=count,
-        mass=own,
+        mass=segment_mass,
         share=row.share * factor,
         length=length,
         centroid_share=row.centroid,

@@ -56,6 +56,11 @@ class Segment:
         return 2 if self.name in PAIRS else 1
 
 
+def plain_name(text: str) -> str:
+    """A name as typed in any case, with hyphens or underscores for spaces."""
+    return " ".join(text.lower().replace("_", " ").replace("-", " ").split())
+
+
 def _percent(name: str, ends: str, *numbers: float) -> Segment:
     # rounded again, to the double nearest to the decimals of the share
     return Segment(name, ends, *[round(number / 100.0, 6) for number in numbers])

@@ -95,8 +95,7 @@ def accelerations(
     system = System(scene, up, gravity)
     if scene.loops:
         return _in_loops(system, of)
-    springs = system.spring_efforts()
-    driven = [motor + spring for motor, spring in zip(system.efforts, springs, strict=True)]
+    driven = system.driven()
     rates = forward(system.tree, system.frames, system.speeds, driven, ground=system.base, loads=system.loads)
     _, wrenches = inverse(system.tree, system.frames, system.speeds, rates, ground=system.base, loads=system.loads)
     return _answer(system, of, rates, reaction_rows(system, wrenches), checks(system, rates, driven))
@@ -109,10 +108,9 @@ def _in_loops(system: System, of: "str | None") -> Accelerations:
     loops = Loops(system)
     moved, changed = loops.close(), loops.settle()
     loops.require_regular()
-    springs = system.spring_efforts()
-    driven = [motor + spring for motor, spring in zip(system.efforts, springs, strict=True)]
-    found, multipliers, nothing = loops.accelerations(driven)
-    rates = [float(rate) for rate in found]
+    driven = system.driven()
+    array, multipliers, nothing = loops.accelerations(driven)
+    rates = [float(rate) for rate in array]
     system.loads = loops.with_loads(multipliers)
     _, wrenches = inverse(system.tree, system.frames, system.speeds, rates, ground=system.base, loads=system.loads)
     rows = loops.reactions(multipliers, nothing, wrenches)
@@ -137,7 +135,7 @@ def _answer(
     of: "str | None",
     rates: "list[float]",
     reactions: "tuple[Reaction, ...]",
-    made: "tuple[Check, ...]",
+    balance: "tuple[Check, ...]",
     method: str = "",
 ) -> Accelerations:
     springs, speeds = system.spring_efforts(), system.speeds
@@ -156,6 +154,6 @@ def _answer(
         kinetic_energy=kinetic(system, motions),
         potential_energy=potential(system),
         numerics=Numerics(method or "articulated bodies"),
-        checks=made,
+        checks=balance,
         advice=tuple(system.advice),
     )
