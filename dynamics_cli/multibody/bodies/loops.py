@@ -7,6 +7,7 @@ import numpy as np
 
 from dynamics_cli.errors import require
 from dynamics_cli.multibody.bodies.results import Reaction, reaction_rows
+from dynamics_cli.multibody.bodies.system import put_on
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.orientation.rotations import IDENTITY
 from dynamics_cli.numerics.trees.matrix import mass_matrix, partial
@@ -59,11 +60,10 @@ class Closure:
 
     def rows(self, system: "System", ground: "list[Pose]") -> "list[list[float]]":
         """Velocity of the first point against the second, and rates across the pin, per unit of every speed."""
-        place = self._point(ground, 0)
-        there = self._point(ground, 1)
+        points = self._point(ground, 0), self._point(ground, 1)
         ways = [
             partial(system.tree, ground, k, point) if k >= 0 else [(ZERO, ZERO)] * system.tree.speeds
-            for k, point in ((self.first, place), (self.second, there))
+            for k, point in zip((self.first, self.second), points, strict=True)
         ]
         columns = [(subtract(a[1], b[1]), subtract(a[0], b[0])) for a, b in zip(*ways, strict=True)]
         directions = self.directions(ground)
@@ -346,6 +346,5 @@ class Loops:
         loads: list[Wrench | None] = [None] * len(self.system.loads) if alone else list(self.system.loads)
         for closure, (force, moment) in zip(self.closures, self.forces(multipliers), strict=True):
             for k, (f, n) in closure.loads(self.system.ground, force, moment):
-                before = loads[k]
-                loads[k] = (f, n) if before is None else (add(before[0], f), add(before[1], n))
+                put_on(loads, k, f, n)
         return loads

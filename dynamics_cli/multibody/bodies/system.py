@@ -274,7 +274,11 @@ def loads_of(system: System, loads: "Sequence[Load]") -> "list[Wrench | None]":
         if load.axes == "ground":
             rotation = system.ground[k][0]
             force, moment = back(rotation, force), back(rotation, moment)
-        moment = add(moment, cross(load.at, force))
-        before = out[k]
-        out[k] = (force, moment) if before is None else (add(before[0], force), add(before[1], moment))
+        put_on(out, k, force, add(moment, cross(load.at, force)))
     return out
+
+
+def put_on(loads: "list[Wrench | None]", k: int, force: "Vector", moment: "Vector") -> None:
+    """Add a force and a moment about its origin to the loads of a link."""
+    before = loads[k]
+    loads[k] = (force, moment) if before is None else (add(before[0], force), add(before[1], moment))
