@@ -4,7 +4,7 @@ Axes: x forward, y to the left, z up. In the plane of the side view, inclination
 """
 
 from dynamics_cli.errors import UsageError, require
-from dynamics_cli.human.bodies.person import Height, Lengths, de_leva
+from dynamics_cli.human.bodies.person import Height, Lengths, de_leva, ends_of
 from dynamics_cli.human.bodies.tables import Segment, Sex
 from dynamics_cli.numerics.elementary import cos, pi_beside, sin
 from dynamics_cli.numerics.number import plain
@@ -191,7 +191,7 @@ def side_view(
     """
     require(mass > 0.0, "the mass of {mass} is not above zero", mass=(mass, Mass), code="mass")
     lengths = needed_lengths(size, (*SPANS, "shoulder"))
-    rows = {row.name: row for row in de_leva(sex, lengths, size.ends, joined=True)}
+    rows = {row.name: row for row in de_leva(sex, lengths, ends_of(size), joined=True)}
     if isinstance(pose, Flexions) and not any_posture:
         _refuse_the_impossible(pose)
     pi = pi_beside(mass, ankle_height, *lengths.values())

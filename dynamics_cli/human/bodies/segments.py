@@ -7,6 +7,7 @@ from dynamics_cli.human.bodies.person import (
     Lengths,
     body_mass_index,
     de_leva,
+    ends_of,
     provenance,
 )
 from dynamics_cli.human.bodies.tables import DEMPSTER, DEMPSTER_WINTER, ZATSIORSKY, Segment, SegmentTable, Sex
@@ -127,7 +128,7 @@ def _rows(
     size: "Lengths | Height",
 ) -> "list[Segment]":  # fmt: skip
     if table == "de-leva":
-        return de_leva(sex, lengths, size.ends)
+        return de_leva(sex, lengths, ends_of(size))
     if sex == "female":
         raise UsageError(
             f"the table {table} stands for men alone", code="sex", parameter="sex",

@@ -98,15 +98,6 @@ DEMPSTER_WINTER = tuple(
         ("foot", 0.0145, 0.5, 0.475),
     )
 )  # fmt: skip
-# of the same table: segments taken together, as shares alike
-COMPOUNDS = tuple(
-    Segment(name, "proximal-distal", share, centroid, None, radius)
-    for name, share, centroid, radius in (
-        ("forearm and hand", 0.022, 0.682, 0.468), ("whole arm", 0.050, 0.530, 0.368),
-        ("shank and foot", 0.061, 0.606, 0.416), ("whole leg", 0.161, 0.447, 0.326), ("trunk", 0.497, 0.5, None),
-        ("trunk, head and neck", 0.578, 0.66, 0.503), ("head, arms and trunk", 0.678, 0.626, 0.496),
-    )
-)  # fmt: skip
 
 DEMPSTER = tuple(
     Segment(name, "", round(share / 100.0, 6))
