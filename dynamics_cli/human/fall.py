@@ -134,7 +134,9 @@ def fall(
         code="never-falls", hint="give --start, e.g. --start 2deg, or --speed",
     )  # fmt: skip
     square = body.squared(centre_height)
-    swing, tripped, boost = start_of(centre_height, square, start, speed, gravity)
+    swing = gravity * centre_height / square
+    tripped = speed * centre_height * cos(start) / square
+    boost = tripped * tripped / (4.0 * swing)
     gained = sin(0.5 * (end + start)) * sin(0.5 * (end - start))
     rate = 2.0 * sqrt(swing * (gained + boost))
     time = _time(start, end, gained, boost) / sqrt(swing)
@@ -166,13 +168,6 @@ def _time(start: float, end: float, gained: float, boost: float) -> float:
     pairs = s * c * slow + s0 * c0 * fast, s * fast * c0 + s0 * slow * c, s * c0 * slow + s0 * c * fast
     x, y, z = (pair / gained for pair in pairs)
     return first_kind(x * x, y * y, z * z)
-
-
-def start_of(height: float, square: float, start: float, speed: float, gravity: float) -> "tuple[float, float, float]":
-    """p² = g·h/(k² + h²), the angular velocity ω₀ after the trip, and ω₀²/(4p²)."""
-    swing = gravity * height / square
-    tripped = speed * height * cos(start) / square
-    return swing, tripped, tripped * tripped / (4.0 * swing)
 
 
 def forces_at(share: float, start: float, boost: float, angle: float) -> "tuple[float, float]":

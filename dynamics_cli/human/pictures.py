@@ -4,9 +4,9 @@ import math
 
 from dynamics_cli.errors import worded
 from dynamics_cli.human.bodies.figure import SPANS, Flexions, side_view
-from dynamics_cli.human.fall import forces_at, start_of
+from dynamics_cli.human.fall import forces_at
 from dynamics_cli.human.joints.moments import TURNS
-from dynamics_cli.numerics.number import over_plain, plain
+from dynamics_cli.numerics.number import plain
 from dynamics_cli.pictures import Arrow, Axis, Curve, Label, Mark, Panel, Picture
 from dynamics_cli.quantities import STANDARD_GRAVITY, Angle, Force, Length, Mass, MusclePower, Time, Torque
 
@@ -27,10 +27,9 @@ MOST_FRICTION = 1.0
 
 def posture(answer: "Any", **_: "Any") -> Picture:
     """The figure from the side, and of joint centres from the front too."""
-    answer = over_plain(answer)
-    joints = {joint.name: joint.at for joint in answer.joints}
-    centres = [(segment.centre, segment.mass) for segment in answer.segments]
-    whole = answer.centre
+    joints = {joint.name: [float(plain(x)) for x in joint.at] for joint in answer.joints}
+    centres = [([float(plain(x)) for x in segment.centre], float(plain(segment.mass))) for segment in answer.segments]
+    whole = [float(plain(x)) for x in answer.centre]
     panels = [_view(joints, centres, whole, (0, 2), answer)]
     if any(name.startswith("left ") for name in joints):
         panels.append(_view(joints, centres, whole, (1, 2), answer))
@@ -52,8 +51,8 @@ def _view(
     if i == 0:
         items.append(Label(whole[i] + 0.03, 0.25 * whole[j], words, WEIGHT, left=True))
     if i == 0 and answer.toe_margin is not None:
-        front = whole[0] + answer.toe_margin
-        back = whole[0] - answer.heel_margin
+        front = whole[0] + float(plain(answer.toe_margin))
+        back = whole[0] - float(plain(answer.heel_margin))
         items.append(Curve([back, front], [0.0, 0.0], "", "thick", GROUND))
     items += _room(items)
     return Panel(
@@ -115,30 +114,26 @@ def moments(
     gravity: float = STANDARD_GRAVITY, **_: "Any",
 ) -> Picture:  # fmt: skip
     """The figure with its weight, the load, the force of the ground, and the moments of the joints as arcs."""
-    answer, load, gravity = over_plain(answer), plain(load), plain(gravity)
-    mass, ankle_height, heel, foot_inclination = over_plain((mass, ankle_height, heel, foot_inclination))
-    figure = side_view(
-        mass, sex, over_plain(size), over_plain(pose or Flexions()), ankle_height, heel, foot_inclination,
-        any_posture=True,
-    )  # fmt: skip
-    joints = figure.joints
+    numbers = [float(plain(number)) for number in (mass, ankle_height, heel, foot_inclination)]
+    figure = side_view(numbers[0], sex, size, pose or Flexions(), *numbers[1:], any_posture=True)
+    joints = {name: [float(plain(x)) for x in at] for name, at in figure.joints.items()}
     items: list[Any] = [*_body(joints, (0, 2))]
-    up = answer.ground_force
+    up = [float(plain(x)) for x in answer.ground_force]
     scale = 0.45 / (math.hypot(*up) or 1.0)
-    x, z = figure.centre[0], figure.centre[2]
-    weight = mass * gravity
+    x, z = (float(plain(figure.centre[k])) for k in (0, 2))
+    weight = numbers[0] * float(plain(gravity))
     items += [Mark(x, z, "", role=WEIGHT), Arrow(x, z, 0.0, -scale * weight, "", WEIGHT)]
     items.append(
         Label(x + 0.02, z - 0.3 * scale * weight, worded("{weight}", weight=(weight, Force)), WEIGHT, left=True)
     )
     hand = joints["knuckle"]
-    held = load * gravity
-    push = over_plain(tuple(hand_force or (0.0, 0.0)))
+    held = float(plain(load)) * float(plain(gravity))
+    push = [float(plain(part)) for part in hand_force or (0.0, 0.0)]
     if held or any(push):
         items.append(Arrow(hand[0], hand[2], scale * push[0], scale * (push[1] - held), "", WEIGHT))
-        words = worded("{held}", held=(load, Mass) if held else (math.hypot(*push), Force))
+        words = worded("{held}", held=(float(plain(load)), Mass) if held else (math.hypot(*push), Force))
         items.append(Label(hand[0] + 0.03, hand[2] + scale * (push[1] - held), words, WEIGHT, left=True))
-    at = answer.pressure_centre
+    at = float(plain(answer.pressure_centre))
     items.append(Arrow(at - scale * up[0], -scale * up[1], scale * up[0], scale * up[1], "", GROUND))
     items.append(
         Label(at + 0.03, -0.6 * scale * up[1], worded("{force}", force=(math.hypot(*up), Force)), GROUND, left=True)
@@ -150,10 +145,10 @@ def moments(
 
 
 def _moment_arcs(answer: "Any", joints: "Mapping[str, Place]") -> "list[Any]":
-    largest = max(abs(joint.moment) for joint in answer.joints) or 1.0
+    largest = max(abs(float(plain(joint.moment))) for joint in answer.joints) or 1.0
     items: list[Any] = []
     for joint in answer.joints:
-        moment = joint.moment
+        moment = float(plain(joint.moment))
         x, z = joints[joint.name][0], joints[joint.name][2]
         anticlockwise = moment * TURNS[joint.name][2] > 0.0
         radius = 0.03 + 0.07 * abs(moment) / largest
@@ -189,8 +184,8 @@ def fall(
     gravity: float = STANDARD_GRAVITY, **_: "Any",
 ) -> Picture:  # fmt: skip
     """Poses on the way down, and the friction that the support needs over the inclination."""
-    h, first, last = over_plain((centre_height, start, end))
-    tall = plain(height) if height is not None else 1.75 * h
+    h, first, last = (float(plain(number)) for number in (centre_height, start, end))
+    tall = float(plain(height)) if height is not None else 1.75 * h
     poses: list[Any] = []
     for k in range(POSES):
         angle = first + (last - first) * k / (POSES - 1)
@@ -200,9 +195,11 @@ def fall(
         poses.append(Curve(*_circle(0.94 * tall * s, 0.94 * tall * c, 0.06 * tall), "", "outline", BODY))
         poses.append(Mark(h * s, h * c, "", role=WEIGHT))
     poses += _room(poses)
-    square = plain(body.squared(h))
+    square = float(plain(body.squared(h)))
     share = h * h / square
-    boost = start_of(h, square, first, plain(speed), plain(gravity))[2]
+    own = float(plain(gravity)) * h / square
+    tripped = float(plain(speed)) * h * math.cos(first) / square
+    boost = tripped * tripped / (4.0 * own)
     x, y = [], []
     for k in range(401):
         angle = first + (last - first) * k / 400
@@ -213,7 +210,7 @@ def fall(
         y.append(along / normal)
     curves: list[Any] = [Curve(x, y, "needed", "thick", MOMENT)]
     if friction is not None:
-        mu = plain(friction)
+        mu = float(plain(friction))
         curves += [
             Curve([first, last], [sign * mu] * 2, "floor" if sign > 0.0 else "", "dashed", GROUND)
             for sign in (1.0, -1.0)

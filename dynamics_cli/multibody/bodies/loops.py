@@ -7,7 +7,6 @@ import numpy as np
 
 from dynamics_cli.errors import require
 from dynamics_cli.multibody.bodies.results import Reaction, reaction_rows
-from dynamics_cli.multibody.bodies.system import put_on
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.orientation.rotations import IDENTITY
 from dynamics_cli.numerics.trees.matrix import mass_matrix, partial
@@ -346,5 +345,6 @@ class Loops:
         loads: list[Wrench | None] = [None] * len(self.system.loads) if alone else list(self.system.loads)
         for closure, (force, moment) in zip(self.closures, self.forces(multipliers), strict=True):
             for k, (f, n) in closure.loads(self.system.ground, force, moment):
-                put_on(loads, k, f, n)
+                before = loads[k]
+                loads[k] = (f, n) if before is None else (add(before[0], f), add(before[1], n))
         return loads

@@ -93,10 +93,6 @@ class System:
         """Efforts of springs and dampers in the joints."""
         return [spring.effort(self.coordinates, y) for spring, y in zip(self.springs, self.speeds, strict=True)]
 
-    def driven(self) -> "list[float]":
-        """Efforts of motors, springs and dampers together."""
-        return [motor + spring for motor, spring in zip(self.efforts, self.spring_efforts(), strict=True)]
-
     def _add(self, body: Body, links: "list[Link]") -> None:
         turns, slides = COUNTS[body.joint]
         state = _state(body, turns, slides)
@@ -274,11 +270,7 @@ def loads_of(system: System, loads: "Sequence[Load]") -> "list[Wrench | None]":
         if load.axes == "ground":
             rotation = system.ground[k][0]
             force, moment = back(rotation, force), back(rotation, moment)
-        put_on(out, k, force, add(moment, cross(load.at, force)))
+        moment = add(moment, cross(load.at, force))
+        before = out[k]
+        out[k] = (force, moment) if before is None else (add(before[0], force), add(before[1], moment))
     return out
-
-
-def put_on(loads: "list[Wrench | None]", k: int, force: "Vector", moment: "Vector") -> None:
-    """Add a force and a moment about its origin to the loads of a link."""
-    before = loads[k]
-    loads[k] = (force, moment) if before is None else (add(before[0], force), add(before[1], moment))

@@ -95,7 +95,8 @@ def accelerations(
     system = System(scene, up, gravity)
     if scene.loops:
         return _in_loops(system, of)
-    driven = system.driven()
+    springs = system.spring_efforts()
+    driven = [motor + spring for motor, spring in zip(system.efforts, springs, strict=True)]
     rates = forward(system.tree, system.frames, system.speeds, driven, ground=system.base, loads=system.loads)
     _, wrenches = inverse(system.tree, system.frames, system.speeds, rates, ground=system.base, loads=system.loads)
     return _answer(system, of, rates, reaction_rows(system, wrenches), checks(system, rates, driven))
@@ -108,9 +109,10 @@ def _in_loops(system: System, of: "str | None") -> Accelerations:
     loops = Loops(system)
     moved, changed = loops.close(), loops.settle()
     loops.require_regular()
-    driven = system.driven()
-    array, multipliers, nothing = loops.accelerations(driven)
-    rates = [float(rate) for rate in array]
+    springs = system.spring_efforts()
+    driven = [motor + spring for motor, spring in zip(system.efforts, springs, strict=True)]
+    found, multipliers, nothing = loops.accelerations(driven)
+    rates = [float(rate) for rate in found]
     system.loads = loops.with_loads(multipliers)
     _, wrenches = inverse(system.tree, system.frames, system.speeds, rates, ground=system.base, loads=system.loads)
     rows = loops.reactions(multipliers, nothing, wrenches)
