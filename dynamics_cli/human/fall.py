@@ -4,6 +4,7 @@ from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import absolute, cos, sin, sqrt
 from dynamics_cli.numerics.elliptic import first_kind
 from dynamics_cli.numerics.number import plain
+from dynamics_cli.numerics.roots import halved, highest
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     Angle,
@@ -24,7 +25,8 @@ from dynamics_cli.records import record
 RIGHT_ANGLE = 1.5707963267948966
 HALF_TURN = 3.141592653589793
 STEPS = 400
-HALVINGS = 60
+# The place of a maximum is known to half the digits.
+WIDTH = 1e-9
 
 
 @record
@@ -132,12 +134,12 @@ def fall(
         code="never-falls", hint="give --start, e.g. --start 2deg, or --speed",
     )  # fmt: skip
     square = body.squared(centre_height)
-    own = gravity * centre_height / square
+    swing = gravity * centre_height / square
     tripped = speed * centre_height * cos(start) / square
-    boost = tripped * tripped / (4.0 * own)
+    boost = tripped * tripped / (4.0 * swing)
     gained = sin(0.5 * (end + start)) * sin(0.5 * (end - start))
-    rate = 2.0 * sqrt(own * (gained + boost))
-    time = _time(start, end, gained, boost) / sqrt(own)
+    rate = 2.0 * sqrt(swing * (gained + boost))
+    time = _time(start, end, gained, boost) / sqrt(swing)
     share = centre_height * centre_height / square
     peak, needed = _peak(share, start, float(plain(end)), boost)
     slip, slip_angle = _slip(share, start, float(plain(end)), boost, friction)
@@ -186,11 +188,7 @@ def _peak(share: float, start: float, end: float, boost: float) -> "tuple[float,
 
     step = (end - numbers[1]) / STEPS
     at = max((numbers[1] + k * step for k in range(STEPS + 1)), key=needed)
-    low, high = max(numbers[1], at - step), min(end, at + step)
-    for _ in range(HALVINGS):
-        third = (high - low) / 3.0
-        low, high = (low, high - third) if needed(low + third) > needed(high - third) else (low + third, high)
-    angle = 0.5 * (low + high)
+    angle = highest(needed, max(numbers[1], at - step), min(end, at + step), WIDTH)
     along, normal = forces_at(share, start, boost, angle)
     return angle, absolute(along / normal)
 
@@ -212,10 +210,7 @@ def _slip(
     for k in range(STEPS + 1):
         if holds(numbers[1] + k * step):
             continue
-        low, high = numbers[1] + max(k - 1, 0) * step, numbers[1] + k * step
-        for _ in range(HALVINGS):
-            middle = 0.5 * (low + high)
-            low, high = (middle, high) if holds(middle) else (low, middle)
+        _, high = halved(holds, numbers[1] + max(k - 1, 0) * step, numbers[1] + k * step)
         along, normal = forces_at(*numbers, high)
         if normal <= 0.0:
             return "the support lifts off", high

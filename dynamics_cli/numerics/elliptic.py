@@ -61,6 +61,10 @@ def first_kind_with_pair(x: float, real: float, imaginary: float) -> float:
 def first_kind(x: float, y: float, z: float) -> float:
     """R_F(x, y, z), for numbers not below zero of which at most one is zero, by duplication.
 
+    References
+    ----------
+    B. C. Carlson, Numerical Algorithms 10, 1995.
+
     >>> round(first_kind(0.0, 1.0, 2.0), 12)
     1.311028777146
     """

@@ -308,7 +308,7 @@ def _numerics(
 
 def _answer(
     flight: "Flight",
-    found: "float | None",
+    needed_speed: "float | None",
     end: "tuple[float, ...]",
     elevation: float,
     other: "float | None",
@@ -325,7 +325,7 @@ def _answer(
         t, distance, height, v_x, v_y = flight.at(time * k / steps) if k < steps else end
         rows.append(Point(time=t, distance=distance, height=height, speed=hypot(v_x, v_y)))
     return Projectile(
-        launch_speed=found,
+        launch_speed=needed_speed,
         elevation=elevation,
         other_elevation=other,
         range=x,

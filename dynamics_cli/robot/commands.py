@@ -80,7 +80,6 @@ JACOBIAN = Task(
         "idle: joint speeds, hand at rest",
         "velocity: velocity of the hand",
         "angular_velocity: angular velocity",
-        "largest_torque: largest torque",
         "torques: joint torques",
         "slide_forces: forces of slides",
         "columns: column | joint, linear, slide, angular",
@@ -165,7 +164,6 @@ INVERSE = Task(
     digits=5,
     arrays=False,
     tracked=False,
-    errors=("position_error", "turn_error", "angle_error"),
 )
 
 TORQUE = Task(

@@ -2,7 +2,7 @@
 
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.orientation.rotations import about_axis, product, transposed
-from dynamics_cli.numerics.trees.newton_euler import back, inverse, sweep
+from dynamics_cli.numerics.trees.newton_euler import back, inverse, kinetic_energy, sweep
 from dynamics_cli.numerics.trees.tree import FIXED, PRISMATIC, REVOLUTE, Link, Tree, placed, poses
 from dynamics_cli.numerics.vectors import add, cross, dot, scale, times
 from dynamics_cli.records import Advice, Check
@@ -91,13 +91,7 @@ class Loaded:
 
     def kinetic_at(self, q: "Sequence[float]", v: "Sequence[float]") -> float:
         """Kinetic energy in a state."""
-        total: float = 0.0
-        for link, (omega, _, velocity, _) in zip(
-            self.tree.links, sweep(self.tree, poses(self.tree, q), v), strict=True
-        ):
-            centre = add(velocity, cross(omega, link.centroid))
-            total = total + 0.5 * (link.mass * dot(centre, centre) + dot(omega, times(link.tensor, omega)))
-        return total
+        return kinetic_energy(self.tree, sweep(self.tree, poses(self.tree, q), v), v)
 
     def energy_at(self, time: float) -> float:
         """Kinetic and potential energy a little before or after, on the motion with these accelerations."""

@@ -26,7 +26,7 @@ from dynamics_cli.quantities import (
 )
 from dynamics_cli.records import Advice, Check, Choice, Measured, record
 from dynamics_cli.robot.arms.chain import Chain, chain_of, coordinates_of
-from dynamics_cli.robot.arms.records import SLIDES, Arm
+from dynamics_cli.robot.arms.records import ANGLES, SLIDES, Arm
 from dynamics_cli.robot.inverse.structures import Margins, margins, structure_or_none
 from dynamics_cli.robot.pose import limit_advice
 from dynamics_cli.robot.velocities import (
@@ -128,9 +128,7 @@ def jacobian(
     arm: Annotated[Arm, "The arm, from a file."],
     /,
     *,
-    angles: Annotated[
-        tuple[Angle, ...], "Angles of the revolute joints in order, e.g. 20, 40, -30, 0, 60, 0 deg."
-    ] = (),
+    angles: Annotated[tuple[Angle, ...], ANGLES] = (),
     slides: Annotated[tuple[Coordinate, ...], SLIDES] = (),
     axes: Annotated[AxesOf, "Axes of all vectors: those of the base, or of the hand."] = IN_BASE,
     speeds: Annotated[

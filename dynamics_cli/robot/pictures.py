@@ -8,9 +8,9 @@ from dynamics_cli.numerics.orientation.rotations import IDENTITY
 from dynamics_cli.numerics.vectors import Vector
 from dynamics_cli.numerics.vectors import times as turned
 from dynamics_cli.pictures import Arrow, Axis, Curve, Label, Mark, Panel, Picture
-from dynamics_cli.pictures.vectors import GREY, arrow, corner, curve, times, unit
+from dynamics_cli.pictures.vectors import GREY, arrow, corner, curve, from_above, times, unit
 from dynamics_cli.quantities import Coordinate, Force, Torque
-from dynamics_cli.robot.arms.chain import Chain, Frame, chain_of, coordinates_of
+from dynamics_cli.robot.arms.chain import BASE, Chain, Frame, chain_of, coordinates_of
 from dynamics_cli.robot.arms.records import ORIGIN, REVOLUTE, Arm
 from dynamics_cli.robot.pose import is_planar
 
@@ -36,7 +36,7 @@ def bones(chain: Chain, coordinates: "Sequence[float]") -> "list[Vector]":
     """The arm as a line: along each joint's axis to where the link leaves it, along the link, to the next axis."""
     links = chain.links(coordinates)
     points: list[Vector] = [ORIGIN]
-    before = Frame(((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)), ORIGIN)
+    before = BASE
     for joint, coordinate, link in zip(chain.joints, coordinates, links, strict=True):
         if chain.standard:
             rise = joint.d if joint.type == REVOLUTE else joint.d + coordinate
@@ -59,11 +59,6 @@ def from_side(v: "Sequence[float]") -> "tuple[float, float]":
     right = -sin(AZIMUTH) * v[0] + cos(AZIMUTH) * v[1]
     outward = cos(AZIMUTH) * v[0] + sin(AZIMUTH) * v[1]
     return right, cos(ELEVATION) * v[2] - sin(ELEVATION) * outward
-
-
-def from_above(v: "Sequence[float]") -> "tuple[float, float]":
-    """A vector on paper, seen from above."""
-    return v[0], v[1]
 
 
 def seen_from(chain: Chain) -> "Any":

@@ -22,7 +22,7 @@ from dynamics_cli.quantities import (
 )
 from dynamics_cli.records import Advice, record
 from dynamics_cli.robot.arms.chain import Chain, beyond_limits, chain_of, coordinates_of, limits
-from dynamics_cli.robot.arms.records import REVOLUTE, SLIDES, Arm
+from dynamics_cli.robot.arms.records import ANGLES, REVOLUTE, SLIDES, Arm
 
 TYPE_CHECKING = False
 if TYPE_CHECKING:
@@ -68,9 +68,7 @@ def pose(
     arm: Annotated[Arm, "The arm, from a file."],
     /,
     *,
-    angles: Annotated[
-        tuple[Angle, ...], "Angles of the revolute joints in order, e.g. 20, 40, -30, 0, 60, 0 deg."
-    ] = (),
+    angles: Annotated[tuple[Angle, ...], ANGLES] = (),
     slides: Annotated[tuple[Coordinate, ...], SLIDES] = (),
     sequence: Annotated[
         Text, "Angles to report: XYZ or rpy about the fixed axes, zyx or zyz … about the turned ones."

@@ -145,8 +145,8 @@ def torque(
     loads = payload or 0.0, lift, force, moment
     parts = _parts(chain, q, v, a, loads)
     total = [part[0] + part[1] + part[2] + part[3] + part[4] for part in parts]
-    given = chain, q, v, a, loads
-    whole = Loaded(*given)
+    instant = chain, q, v, a, loads
+    whole = Loaded(*instant)
     driven = any(plain(x) for joint in chain.joints for x in (joint.rotor_inertia, joint.viscous, joint.coulomb))
     alone = single(*q, *v, *a, *total)
     held, pushed = payload is not None, force is not None or moment is not None
@@ -154,14 +154,14 @@ def torque(
     for name, joint, turning, effort, part, rate, second in zip(
         chain.names, chain.joints, chain.turning, total, parts, v, a, strict=True
     ):
-        shown = (*part[:3], part[3] if held else None, part[4] if pushed else None)
+        shares = (*part[:3], part[3] if held else None, part[4] if pushed else None)
         if not turning:
-            slid.append(ForceParts(name, effort, *shown))
+            slid.append(ForceParts(name, effort, *shares))
             continue
         rotor = joint.rotor_inertia * joint.gear_ratio * joint.gear_ratio * second
         friction = _friction(joint, rate)
         drive = (effort + rotor + friction,) if driven else NOTHING
-        turned.append(TorqueParts(name, effort, *drive, *shown, *((rotor, friction) if driven else NOTHING * 2)))
+        turned.append(TorqueParts(name, effort, *drive, *shares, *((rotor, friction) if driven else NOTHING * 2)))
     sizes = [absolute(row.torque) for row in turned]
     return Torques(
         torques=tuple(row.torque for row in turned) or None,
@@ -175,7 +175,7 @@ def torque(
         base_moment=whole.moment,
         joints=tuple(turned) or None,
         prismatic=tuple(slid) or None,
-        checks=checks_of(Loaded(*over_plain(_tuples(given))), total) if alone else (),
+        checks=checks_of(Loaded(*over_plain(_tuples(instant))), total) if alone else (),
         advice=(*limit_advice(chain, q), *impossible(chain)) if alone else (),
     )
 
@@ -186,10 +186,10 @@ def _parts(
     """Of every joint the parts for weights, accelerations, speeds, the payload and the force of the hand."""
     payload, lift, force, moment = loads
     links, held = Tree(links_of(chain)), Tree(links_of(chain, masses=False) + payload_of(chain, payload))
-    frames, rest = poses(links, q), [0.0] * len(q)
-    weights = inverse(links, frames, rest, rest, ground=lift)[0]
-    inertia = inverse(links, frames, rest, a)[0]
-    velocity = inverse(links, frames, v, rest)[0]
+    frames, still = poses(links, q), [0.0] * len(q)
+    weights = inverse(links, frames, still, still, ground=lift)[0]
+    inertia = inverse(links, frames, still, a)[0]
+    velocity = inverse(links, frames, v, still)[0]
     load = inverse(held, poses(held, q), v, a, ground=lift)[0]
     hand = [dot(x, force or ORIGIN) + dot(w, moment or ORIGIN) for x, w in columns_of(chain, q)]
     return list(zip(weights, inertia, velocity, load, hand, strict=True))
@@ -211,8 +211,8 @@ def _require_loads(chain: Chain, *loads: "Any") -> None:
         raise MissingError("the links have no masses", (("masses",), ("payload",), ("force",)), code="no-masses")
 
 
-def _tuples(given: "tuple[Any, ...]") -> "tuple[Any, ...]":
-    return tuple(tuple(part) if isinstance(part, list) else part for part in given)
+def _tuples(parts: "tuple[Any, ...]") -> "tuple[Any, ...]":
+    return tuple(tuple(part) if isinstance(part, list) else part for part in parts)
 
 
 def _largest(sizes: "Sequence[float]") -> float | None:

@@ -110,7 +110,7 @@ def _growth(forces: "Any", speed: float) -> Panel:
     for name in ("left", "right"):
         size, _, role = forces[name]
         items.append(
-            Curve(speeds, [size * (one / speed) ** 2 for one in speeds], name, "dashed" if role else "solid", role)
+            Curve(speeds, [size * (x / speed) ** 2 for x in speeds], name, "dashed" if role else "solid", role)
         )
         items.append(Mark(abs(speed), size, "", role=role))
     return Panel(Axis("speed", ShaftSpeed), Axis("bearing load", Force), tuple(items), wide=True)

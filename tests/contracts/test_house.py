@@ -9,10 +9,7 @@ import dynamics_cli
 PACKAGE = Path(dynamics_cli.__file__).parent
 FILES = sorted(PACKAGE.rglob("*.py"))
 MOST_LINES, MOST_IN_A_FOLDER, MOST_OF_A_FUNCTION = 350, 14, 50
-LONG_FILES = {
-    "quantities.py",  # one table of kinds
-    "core/batch/stream.py",
-}
+LONG_FILES = {"quantities.py"}  # one table of kinds
 LONG_FUNCTIONS = {
     "impact/planar/path.py:travel",
     "numerics/chebyshev/proxies.py:extremes",

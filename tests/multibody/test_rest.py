@@ -1,6 +1,5 @@
 """Rest and small motions: closed forms, and a four-bar by its potential over the crank's angle alone."""
 
-import json
 import math
 from pathlib import Path
 from typing import Any
@@ -14,16 +13,6 @@ FOUR_BAR = str(Path(__file__).resolve().parents[2] / "examples" / "swing_crane" 
 PIN = "0, 1, 0"
 # Five-point differences over 2e-3, of a fourth order.
 CLOSE = 1e-10
-
-
-@pytest.fixture
-def scene(tmp_path: Path) -> Any:
-    def written(*bodies: dict[str, Any], **more: Any) -> str:
-        path = tmp_path / "scene.json"
-        path.write_text(json.dumps({"bodies": bodies, **more}))
-        return str(path)
-
-    return written
 
 
 def rods(angle: str = "1 rad") -> list[dict[str, Any]]:

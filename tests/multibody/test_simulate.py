@@ -4,7 +4,6 @@ Skew double pendulum: Taylor series in mpmath, energy kept to 3e-41; four-bar: a
 integrated in mpmath.
 """
 
-import json
 from pathlib import Path
 from typing import Any
 
@@ -16,16 +15,6 @@ FOUR_BAR = str(Path(__file__).resolve().parents[2] / "examples" / "swing_crane" 
 # Ten times what two tolerances differ by.
 CLOSE = 1e-9
 DEGREES = 180.0 / 3.141592653589793
-
-
-@pytest.fixture
-def scene(tmp_path: Path) -> Any:
-    def written(*bodies: dict[str, Any], **more: Any) -> str:
-        path = tmp_path / "scene.json"
-        path.write_text(json.dumps({"bodies": bodies, **more}))
-        return str(path)
-
-    return written
 
 
 def states(document: dict[str, Any]) -> dict[str, tuple[float, float]]:

@@ -8,20 +8,13 @@ import itertools
 
 from dynamics_cli.core.answering.task import Task
 from dynamics_cli.core.batch.jobs import spread
+from dynamics_cli.core.batch.opening import in_commas, opened, warn_of_passing, without_blank_head
 from dynamics_cli.core.batch.rows.case import Case
-from dynamics_cli.core.batch.rows.heads import split_header, split_suffix, split_title
-from dynamics_cli.core.batch.rows.inputs import (
-    CsvInput,
-    Input,
-    JsonInput,
-    TextInput,
-    decode_line,
-    split_csv,
-)
+from dynamics_cli.core.batch.rows.inputs import CsvInput, Input, JsonInput
 from dynamics_cli.core.batch.rows.outputs import OUTPUTS, Output
 from dynamics_cli.core.batch.rows.tally import REPORT_IT, Tally
 from dynamics_cli.core.batch.text.blocks import Source
-from dynamics_cli.core.batch.text.records import cleared, first_record, records, with_commas
+from dynamics_cli.core.batch.text.records import cleared, records
 from dynamics_cli.core.deadline import Reached, held, reached
 from dynamics_cli.core.inputs.settings import Call, Settings
 from dynamics_cli.core.output.files import output
@@ -30,7 +23,6 @@ from dynamics_cli.errors import DynamicsError, ExitStatus, FaultError, UsageErro
 TYPE_CHECKING = False
 if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
-    from typing import Any
 
     from dynamics_cli.core.batch.rows.group import Group, Groups
     from dynamics_cli.core.terminal import Terminal
@@ -38,17 +30,14 @@ if TYPE_CHECKING:
 # Below this numpy's import costs more than it saves; once it is there, far fewer rows are worth an array.
 FIRST_ARRAY_ROWS = 300
 ARRAY_ROWS = 64
-# Number of rows searched for bare numbers and uncertain values.
-LOOKED_AT = 50
 # With more uncertain rows among these, rows are answered one by one: each may take long.
 FEW_UNCERTAIN = 5
-# Marks of an uncertain value: ±, +/-, .., a distribution's bracket, a list, an object, an earlier result.
-UNCERTAIN_MARKS = (b"\xc2\xb1", b"+/-", b"..", b"(", b"[", b"{", b"@", b"\\u")
 # Blocks that another process answers at once.
 BLOCKS_A_PIECE = 4
 # Rows answered one by one may take long: this many are written, or sent to another process, at once.
 ROWS_A_PIECE = 64
-ONE_A_LINE = 'one object a line, for example {"distance": "60 ft", "friction": 0.7}'
+# After this many failures a kind of rows that arrays can hardly answer is not tried again.
+MOST_FAILURES = 3
 TOO_LONG = UsageError("the row is longer than 16 MB", code="too-long", hint="a row is one line of one case")
 
 
@@ -69,10 +58,12 @@ def run_rows(task: Task, call: Call, settings: Settings, terminal: "Terminal") -
             with Progress(source, terminal) as progress:
                 blocks = source.blocks()
                 for lines in blocks:
-                    lines = _without_blank_head(lines)
+                    lines = without_blank_head(lines)
                     if lines:
-                        lines, blocks = _in_commas(case, lines, blocks)
-                        stream, lines = _begin(case, lines, form, terminal)
+                        lines, blocks = in_commas(case, lines, blocks)
+                        rows_in, first, lines = opened(case, lines, terminal)
+                        written = OUTPUTS[form or rows_in.format](rows_in, case.layout)
+                        stream = _Stream(case, rows_in, written, first)
                         sink.write(stream.output.head())
                         break
                 if stream is None:
@@ -99,26 +90,6 @@ def run_rows(task: Task, call: Call, settings: Settings, terminal: "Terminal") -
         return ExitStatus.SOME_FAILED
     negative = settings.fail and (any(stream.tally.exceeded.values()) or stream.tally.serious)
     return ExitStatus.VERDICT if negative else ExitStatus.DONE
-
-
-def _without_blank_head(lines: "list[bytes | None]") -> "list[bytes | None]":
-    for start, line in enumerate(lines):
-        if line is None or line.strip():
-            return lines[start:]
-    return []
-
-
-def _in_commas(
-    case: Case, lines: "list[bytes | None]", blocks: "Iterator[list[bytes | None]]"
-) -> "tuple[list[bytes | None], Iterator[list[bytes | None]]]":
-    """The first rows and the following ones, with commas where the header has semicolons or tabs."""
-    first = lines[0] or b""
-    for separator in (b";", b"\t"):
-        if separator in first and first.lstrip()[:1] != b"{" and not _is_header(case, first):
-            changed = with_commas(itertools.chain([lines], blocks), separator)
-            if _is_header(case, first.replace(separator, b",")):
-                return next(changed), changed
-    return lines, blocks
 
 
 def _pieces(blocks: "Iterator[list[bytes | None]]", jobs: int, *, singly: bool) -> "Iterator[list[bytes | None]]":
@@ -152,112 +123,10 @@ def _format_asked(settings: Settings) -> str:
     return "ndjson" if settings.format == "json" else settings.format
 
 
-def _begin(
-    case: Case, lines: "list[bytes | None]", form: str, terminal: "Terminal"
-) -> "tuple[_Stream, list[bytes | None]]":
-    """The stream, set up from the first line, and the rows of the first block."""
-    source: Input
-    first = lines[0]
-    if first is None:
-        raise UsageError("the first row is longer than 16 MB", parameter="rows", code="too-long")
-    start = first.lstrip()[:1]
-    if start == b"[":
-        hint = f"{ONE_A_LINE}, as from jq -c '.[]'"
-        raise UsageError("rows begin with '[': a JSON list is not a stream", parameter="rows", code="json", hint=hint)
-    if first.strip() == b"{":
-        hint = f"{ONE_A_LINE}, as from jq -c ."
-        raise UsageError("the first row is '{' alone", parameter="rows", code="json", hint=hint)
-    if b"\r" in first and b'"' not in first:
-        message = "the rows' lines end in bare carriage returns"
-        hint = "save them with line feeds, or send them through: tr '\\r' '\\n'"
-        raise UsageError(message, parameter="rows", code="line-ends", hint=hint)
-    head, rest = first_record(lines)
-    looked = lines
-    if start == b"{":
-        source = JsonInput(case, first)
-    elif case.task.specification.words and not _is_header(case, head):
-        source = TextInput(case)
-    else:
-        first, lines = head, rest
-        source = _csv_input(case, first, terminal)
-        looked = next(records([lines]), [])
-    _settle_unit(case, source, looked[:LOOKED_AT])
-    case.check()
-    case.take_spread(_readable(source, looked[:LOOKED_AT], UNCERTAIN_MARKS))
-    case.take_limits(_readable(source, looked[:LOOKED_AT]))
-    return _Stream(case, source, OUTPUTS[form or source.format](source, case.layout), first), lines
-
-
-def _settle_unit(case: Case, source: Input, lines: "list[bytes | None]") -> None:
-    """Of several units, take the first as that of bare numbers if the rows hold such: `convert mph ft/s --rows -`."""
-    for line in lines:
-        try:
-            if line is not None and case.is_bare(source.read(line)):
-                case.take_default_unit()
-                return
-        except Exception:
-            continue  # what is wrong with this row is reported in its place
-
-
-def _readable(
-    source: Input, lines: "list[bytes | None]", marks: "tuple[bytes, ...]" = (b"",)
-) -> "Iterator[dict[str, Any]]":
-    """The lines that hold one of these marks, read; errors of a line are reported in its place."""
-    for line in lines:
-        if line is not None and any(mark in line for mark in marks):
-            try:
-                yield source.read(line)
-            except Exception:
-                continue
-
-
-def _is_header(case: Case, line: bytes) -> bool:
-    """Whether some cell is the name of a parameter or of an earlier step's result; words are not names."""
-    try:
-        cells = split_csv(decode_line(line))
-    except UsageError:
-        return False
-    names = [name for cell in cells for name in (split_header(cell)[0].removeprefix("results."), split_title(cell)[0])]
-    return any(split_suffix(cell, case)[0] for cell in cells) or any(
-        name.partition(".")[0].partition("[")[0].replace("-", "_") in case.names for name in names
-    )
-
-
-def _csv_input(case: Case, first: bytes, terminal: "Terminal") -> CsvInput:
-    try:
-        source = CsvInput(case, first)
-    except UsageError as error:
-        error.parameter = "rows"
-        raise
-    if not source.parameters:
-        raise UsageError(
-            f"no column of the header {decode_line(first)[:80]!r} is a parameter of {case.task.path}",
-            parameter="rows",
-            code="header",
-            hint="cells are separated by commas, semicolons or tabs; a vector has a column for each component, "
-            f"NAME[0], NAME[1] and so on; parameters are {', '.join(sorted(case.names))}",
-        )
-    _warn(case, [column.name for column in source.columns if not column.path], terminal)
-    return source
-
-
 def _tell(stream: "_Stream", terminal: "Terminal") -> None:
-    _warn(stream.case, list(stream.passing), terminal)
+    warn_of_passing(stream.case, list(stream.passing), terminal)
     for text in stream.tally.messages(limit.text for limit in stream.case.limits):
         terminal.tell(text)
-
-
-def _warn(case: Case, names: "list[str]", terminal: "Terminal") -> None:
-    """Warn of passed-through names that look like a parameter: a misspelt optional one would go unnoticed."""
-    from dynamics_cli.core.units.near_names import nearest_words
-
-    known = case.names | {name.replace("-", "_") for name in case.task.options}
-    for name in names[:20]:
-        near = [] if name in ("error", "results", "id") else nearest_words(name, known, 1)
-        if near:
-            terminal.tell(
-                f"dynamics: {name!r} is not a parameter of {case.task.path} and passes through (not {near[0]}?)\n"
-            )
 
 
 class _Block:
@@ -442,7 +311,3 @@ class _Stream:
             return self.output.good(line, self.case.values(self.source.read(line)))[:-1]
         except DynamicsError:
             return b""
-
-
-# After this many failures a kind of rows that arrays can hardly answer is not tried again.
-MOST_FAILURES = 3

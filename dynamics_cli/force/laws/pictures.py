@@ -67,7 +67,7 @@ def friction(
         head, tail = at(-side, high), at(-side - scale * push, high)
         by = (head[0] - tail[0], head[1] - tail[1])
         items += _force(tail, by, "push {size}", abs(push), LOADS, aside=(0.0, 0.12))
-    reaction = (at(scale * needed, scale * normal)[0], at(scale * needed, scale * normal)[1])
+    reaction = at(scale * needed, scale * normal)
     if abs(point) <= FAR:
         words = "reaction {size}" if answer.verdict == "holds" else "reaction {size} that would hold it"
         items += _force(at(point, 0.0), reaction, words, math.hypot(normal, needed), ANSWER, at=1.0, aside=(0.0, 0.12))

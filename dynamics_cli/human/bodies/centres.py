@@ -3,6 +3,7 @@
 from dynamics_cli.errors import UsageError, require
 from dynamics_cli.human.bodies.figure import SPANS, Figure, Part
 from dynamics_cli.human.bodies.person import de_leva
+from dynamics_cli.human.bodies.tables import plain_name
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.vectors import Vector, length, subtract
 from dynamics_cli.quantities import Annotated, Length, SpacePosition, Text
@@ -69,7 +70,7 @@ def _all() -> "list[str]":
 
 
 def _known(text: str) -> str:
-    name = " ".join(text.strip().lower().replace("_", " ").replace("-", " ").split())
+    name = plain_name(text)
     name = ALSO.get(name, name)
     if name.startswith(("l ", "r ")):
         name = {"l": "left", "r": "right"}[name[0]] + name[1:]

@@ -4,11 +4,12 @@ Axes: x forward, y to the left, z up. In the plane of the side view, inclination
 """
 
 from dynamics_cli.errors import UsageError, require
-from dynamics_cli.human.bodies.person import Height, Lengths, de_leva
+from dynamics_cli.human.bodies.person import Height, Lengths, de_leva, ends_of
 from dynamics_cli.human.bodies.tables import Segment, Sex
 from dynamics_cli.numerics.elementary import cos, pi_beside, sin
 from dynamics_cli.numerics.number import plain
-from dynamics_cli.numerics.vectors import Vector, add, cross, dot, length, scale, subtract
+from dynamics_cli.numerics.trees.tree import ZERO
+from dynamics_cli.numerics.vectors import Vector, add, cross, length, moved, scale, subtract
 from dynamics_cli.quantities import Angle, Annotated, Mass
 from dynamics_cli.records import record
 
@@ -151,14 +152,11 @@ class Figure:
     def tensor(self) -> "Tensor":
         """Inertia tensor about the mass centre."""
         centre = self.centre
-        rows = [[0.0, 0.0, 0.0] for _ in range(3)]
+        rows = (ZERO, ZERO, ZERO)
         for part in self.parts:
-            own, away = part.tensor(), subtract(part.centre, centre)
-            square = dot(away, away)
-            for i in range(3):
-                for j in range(3):
-                    rows[i][j] += own[i][j] + part.mass * ((square if i == j else 0.0) - away[i] * away[j])
-        return tuple(tuple(row) for row in rows)  # type: ignore[return-value]
+            about = moved(part.tensor(), part.mass, subtract(part.centre, centre))
+            rows = add(rows[0], about[0]), add(rows[1], about[1]), add(rows[2], about[2])
+        return rows
 
 
 def centre_of(masses: "list[tuple[float, Vector]]") -> Vector:
@@ -193,7 +191,7 @@ def side_view(
     """
     require(mass > 0.0, "the mass of {mass} is not above zero", mass=(mass, Mass), code="mass")
     lengths = needed_lengths(size, (*SPANS, "shoulder"))
-    rows = {row.name: row for row in de_leva(sex, lengths, size.ends, joined=True)}
+    rows = {row.name: row for row in de_leva(sex, lengths, ends_of(size), joined=True)}
     if isinstance(pose, Flexions) and not any_posture:
         _refuse_the_impossible(pose)
     pi = pi_beside(mass, ankle_height, *lengths.values())

@@ -1,7 +1,7 @@
 """What a person is given by: lengths of segments, or a height with proportions; a table of one's own."""
 
 from dynamics_cli.errors import UsageError, require
-from dynamics_cli.human.bodies.tables import DE_LEVA, SAMPLES, SOURCES, Segment, Sex
+from dynamics_cli.human.bodies.tables import DE_LEVA, SAMPLES, SOURCES, Segment, Sex, plain_name
 from dynamics_cli.quantities import Annotated, Count, Fraction, Length, Ratio, Text
 from dynamics_cli.records import Choice, record
 
@@ -65,11 +65,6 @@ class Lengths:
     hand_ends: Annotated[HandEnds | None, "The hand's is from wrist to knuckle, or to fingertip."] = None
 
     @property
-    def ends(self) -> "dict[str, Choice | None]":
-        """Between which points the lengths of head, trunk and hand are measured."""
-        return {"head": self.head_ends, "trunk": self.trunk_ends, "hand": self.hand_ends}
-
-    @property
     def by_name(self) -> "dict[str, float]":
         """The lengths given, by segment."""
         lengths = {name: getattr(self, name.replace(" ", "_")) for name in NAMES}
@@ -99,17 +94,12 @@ class Height:
     hand_ends: Annotated[HandEnds | None, "The hand's is from wrist to knuckle, or to fingertip."] = None
 
     @property
-    def ends(self) -> "dict[str, Choice | None]":
-        """Between which points the lengths of head, trunk and hand are measured."""
-        return {"head": self.head_ends, "trunk": self.trunk_ends, "hand": self.hand_ends}
-
-    @property
     def by_name(self) -> "dict[str, float]":
         """The lengths that the proportions give, by segment."""
         require(self.height > 0.0, "the height of {height} is not above zero", height=(self.height, Length))
         lengths = {}
         for proportion in self.proportions or ():
-            name = proportion.segment.strip().lower().replace("_", " ").replace("-", " ")
+            name = plain_name(proportion.segment)
             if name not in NAMES:
                 raise UsageError(
                     f"there is no segment {proportion.segment!r}", code="segment", parameter="proportions",
@@ -117,6 +107,11 @@ class Height:
                 )  # fmt: skip
             lengths[name] = proportion.share * self.height
         return lengths
+
+
+def ends_of(size: "Lengths | Height") -> "dict[str, Choice | None]":
+    """Between which points the lengths of head, trunk and hand are measured."""
+    return {"head": size.head_ends, "trunk": size.trunk_ends, "hand": size.hand_ends}
 
 
 @record

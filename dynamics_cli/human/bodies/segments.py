@@ -7,6 +7,7 @@ from dynamics_cli.human.bodies.person import (
     Lengths,
     body_mass_index,
     de_leva,
+    ends_of,
     provenance,
 )
 from dynamics_cli.human.bodies.tables import DEMPSTER, DEMPSTER_WINTER, ZATSIORSKY, Segment, SegmentTable, Sex
@@ -127,7 +128,7 @@ def _rows(
     size: "Lengths | Height",
 ) -> "list[Segment]":  # fmt: skip
     if table == "de-leva":
-        return de_leva(sex, lengths, size.ends)
+        return de_leva(sex, lengths, ends_of(size))
     if sex == "female":
         raise UsageError(
             f"the table {table} stands for men alone", code="sex", parameter="sex",
@@ -150,22 +151,22 @@ def _rows(
 
 def _of_customs(customs: "tuple[CustomSegment, ...]") -> "list[Segment]":
     return [
-        Segment(one.name, "", one.share, one.centroid, one.front_back, one.left_right, one.lengthwise)
-        for one in customs
+        Segment(row.name, "", row.share, row.centroid, row.front_back, row.left_right, row.lengthwise)
+        for row in customs
     ]
 
 
 def _properties(row: Segment, count: int, mass: float, factor: float, length: "float | None") -> SegmentProperties:
-    own = row.share * factor * mass
+    segment_mass = row.share * factor * mass
 
     def moment(radius: "float | None") -> "float | None":
-        return None if radius is None or length is None else own * ((radius * length) * (radius * length))
+        return None if radius is None or length is None else segment_mass * ((radius * length) * (radius * length))
 
     return SegmentProperties(
         name=row.name,
         ends=row.ends or None,
         count=count,
-        mass=own,
+        mass=segment_mass,
         share=row.share * factor,
         length=length,
         centroid_share=row.centroid,

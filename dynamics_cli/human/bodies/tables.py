@@ -56,6 +56,11 @@ class Segment:
         return 2 if self.name in PAIRS else 1
 
 
+def plain_name(text: str) -> str:
+    """A name as typed in any case, with hyphens or underscores for spaces."""
+    return " ".join(text.lower().replace("_", " ").replace("-", " ").split())
+
+
 def _percent(name: str, ends: str, *numbers: float) -> Segment:
     # rounded again, to the double nearest to the decimals of the share
     return Segment(name, ends, *[round(number / 100.0, 6) for number in numbers])
@@ -91,15 +96,6 @@ DEMPSTER_WINTER = tuple(
         ("pelvis", 0.142, 0.105, None), ("upper arm", 0.028, 0.436, 0.322), ("forearm", 0.016, 0.430, 0.303),
         ("hand", 0.006, 0.506, 0.297), ("thigh", 0.100, 0.433, 0.323), ("shank", 0.0465, 0.433, 0.302),
         ("foot", 0.0145, 0.5, 0.475),
-    )
-)  # fmt: skip
-# of the same table: segments taken together, as shares alike
-COMPOUNDS = tuple(
-    Segment(name, "proximal-distal", share, centroid, None, radius)
-    for name, share, centroid, radius in (
-        ("forearm and hand", 0.022, 0.682, 0.468), ("whole arm", 0.050, 0.530, 0.368),
-        ("shank and foot", 0.061, 0.606, 0.416), ("whole leg", 0.161, 0.447, 0.326), ("trunk", 0.497, 0.5, None),
-        ("trunk, head and neck", 0.578, 0.66, 0.503), ("head, arms and trunk", 0.678, 0.626, 0.496),
     )
 )  # fmt: skip
 

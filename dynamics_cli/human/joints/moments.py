@@ -3,7 +3,7 @@
 from dynamics_cli.errors import UsageError, judge, require, worded
 from dynamics_cli.human.bodies.figure import Figure, Flexions, Inclinations, side_view
 from dynamics_cli.human.bodies.person import Height, Lengths, provenance
-from dynamics_cli.human.bodies.tables import Sex
+from dynamics_cli.human.bodies.tables import Sex, plain_name
 from dynamics_cli.human.joints.muscles import Muscle, MuscleLoad, muscle_loads
 from dynamics_cli.numerics.elementary import absolute, hypot
 from dynamics_cli.numerics.number import plain
@@ -203,7 +203,7 @@ def _actions(
     require(load >= 0.0, "the load of {load} is below zero", load=(load, Mass), code="load")
     moving = {}
     for motion in motions or ():
-        name = motion.segment.strip().lower().replace("_", " ").replace("-", " ")
+        name = plain_name(motion.segment)
         if name not in {part.name for part in figure.parts}:
             raise UsageError(
                 f"there is no segment {motion.segment!r}", code="segment", parameter="motions",

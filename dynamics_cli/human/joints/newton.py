@@ -1,5 +1,6 @@
 """Newton–Euler along a limb in a plane: forces and moments of its joints, from the far end to the body."""
 
+from dynamics_cli.human.bodies.tables import plain_name
 from dynamics_cli.records import record
 
 JOINTS = {
@@ -30,7 +31,7 @@ class Link:
 
 def joint_of(segment: str) -> str:
     """The joint at the upper end of a segment."""
-    name = segment.strip().lower().replace("_", " ").replace("-", " ")
+    name = plain_name(segment)
     bare = name.removeprefix("left ").removeprefix("right ")
     return JOINTS.get(bare, f"upper end of the {segment}")
 

@@ -2,7 +2,8 @@
 
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.trees.matrix import mass_matrix
-from dynamics_cli.numerics.trees.newton_euler import inertia_wrench, inverse, sweep
+from dynamics_cli.numerics.trees.newton_euler import at_point, inertia_wrench, inverse, kinetic_energy, sweep
+from dynamics_cli.numerics.trees.tree import ZERO
 from dynamics_cli.numerics.vectors import add, cross, dot, length, scale, subtract, times
 from dynamics_cli.records import Check
 
@@ -14,21 +15,13 @@ if TYPE_CHECKING:
     from dynamics_cli.numerics.trees.newton_euler import Motion
     from dynamics_cli.numerics.vectors import Vector
 
-ZERO = (0.0, 0.0, 0.0)
 # Two ways agree within this share of the terms that they sum.
 SAME = 1e-10
 
 
 def kinetic(system: "System", motions: "Sequence[Motion]") -> float:
     """Kinetic energy, that of rotors among it."""
-    total = 0.0
-    for link, (omega, _, velocity, _) in zip(system.tree.links, motions, strict=True):
-        centre = add(velocity, cross(omega, link.centroid))
-        total = total + 0.5 * (link.mass * dot(centre, centre) + dot(omega, times(link.tensor, omega)))
-        for column in range(len(link.columns)):
-            speed = system.speeds[link.first + column]
-            total = total + 0.5 * link.rotor * speed * speed
-    return total
+    return kinetic_energy(system.tree, motions, system.speeds)
 
 
 def potential(system: "System") -> float:
@@ -47,11 +40,10 @@ def potential(system: "System") -> float:
 def momentum(system: "System", motions: "Sequence[Motion]", about: "Vector" = ZERO) -> "tuple[Vector, Vector]":
     """Linear momentum, and angular momentum about a point, in ground axes."""
     linear, angular = ZERO, ZERO
-    for k, (link, (omega, _, velocity, _)) in enumerate(zip(system.tree.links, motions, strict=True)):
+    for k, (link, motion) in enumerate(zip(system.tree.links, motions, strict=True)):
         rotation = system.ground[k][0]
-        centre = times(rotation, add(velocity, cross(omega, link.centroid)))
-        carried = scale(link.mass, centre)
-        spun = times(rotation, times(link.tensor, omega))
+        carried = scale(link.mass, times(rotation, at_point(motion, link.centroid)[0]))
+        spun = times(rotation, times(link.tensor, motion[0]))
         linear = add(linear, carried)
         angular = add(angular, add(spun, cross(subtract(system.centre(k), about), carried)))
     return linear, angular

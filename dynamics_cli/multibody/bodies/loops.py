@@ -6,12 +6,12 @@ Lengths are counted in sizes of the scene, so that angles and lengths stand besi
 import numpy as np
 
 from dynamics_cli.errors import require
-from dynamics_cli.multibody.bodies.energy import ZERO
 from dynamics_cli.multibody.bodies.results import Reaction, reaction_rows
 from dynamics_cli.numerics.number import plain
+from dynamics_cli.numerics.orientation.rotations import IDENTITY
 from dynamics_cli.numerics.trees.matrix import mass_matrix, partial
-from dynamics_cli.numerics.trees.newton_euler import back, inverse, sweep
-from dynamics_cli.numerics.trees.tree import moved, placed, poses
+from dynamics_cli.numerics.trees.newton_euler import at_point, back, inverse, sweep
+from dynamics_cli.numerics.trees.tree import ZERO, moved, placed, poses
 from dynamics_cli.numerics.vectors import add, cross, dot, length, subtract, times
 from dynamics_cli.quantities import Distance
 
@@ -33,7 +33,7 @@ CLOSED = 1e-13
 STEPS, DAMPING = 60, 0.1
 # Rounding of a unit force that no condition determines.
 UNKNOWN = 1e-9
-STILL = (((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0)), ZERO)
+STILL = (IDENTITY, ZERO)
 
 
 class Closure:
@@ -59,11 +59,10 @@ class Closure:
 
     def rows(self, system: "System", ground: "list[Pose]") -> "list[list[float]]":
         """Velocity of the first point against the second, and rates across the pin, per unit of every speed."""
-        place = self._point(ground, 0)
-        there = self._point(ground, 1)
+        points = self._point(ground, 0), self._point(ground, 1)
         ways = [
             partial(system.tree, ground, k, point) if k >= 0 else [(ZERO, ZERO)] * system.tree.speeds
-            for k, point in ((self.first, place), (self.second, there))
+            for k, point in zip((self.first, self.second), points, strict=True)
         ]
         columns = [(subtract(a[1], b[1]), subtract(a[0], b[0])) for a, b in zip(*ways, strict=True)]
         directions = self.directions(ground)
@@ -90,16 +89,13 @@ class Closure:
             if k < 0:
                 ends.append((ZERO, ZERO, ZERO))
                 continue
-            omega, alpha, _, acceleration = motions[k]
-            moving = add(add(acceleration, cross(alpha, point)), cross(omega, cross(omega, point)))
-            turn = ground[k][0]
+            turn, (omega, alpha, _, _) = ground[k][0], motions[k]
+            moving = at_point(motions[k], point)[1]
             ends.append((times(turn, moving), times(turn, alpha), times(turn, omega)))
-        one, other = ends
-        spin, turning = subtract(one[2], other[2]), subtract(one[1], other[1])
-        across = (
-            dot(direction, turning) + dot(cross(one[2], direction), spin) for direction in self.directions(ground)
-        )
-        return [*subtract(one[0], other[0]), *across]
+        (moving, alpha, omega), second = ends
+        spin, turning = subtract(omega, second[2]), subtract(alpha, second[1])
+        across = (dot(direction, turning) + dot(cross(omega, direction), spin) for direction in self.directions(ground))
+        return [*subtract(moving, second[0]), *across]
 
     def wrenches(self, ground: "list[Pose]", parts: "list[float]") -> "tuple[Vector, Vector]":
         """Force and moment on the first body at the point, in ground axes."""
@@ -149,21 +145,23 @@ class Loops:
         self.system = system
         self.closures = [Closure(system, loop, n) for n, loop in enumerate(system.scene.loops, 1)]
         spans = [length(link.position) for link in system.tree.links] + [
-            length(point) for one in self.closures for point in one.at
+            length(point) for closure in self.closures for point in closure.at
         ]
         self.size = max(spans, default=0.0) or 1.0
         row_scale = [1.0 / self.size] * 3
-        self.row_scales = np.array([x for one in self.closures for x in (*row_scale, *(1.0 for _ in one.across))])
+        self.row_scales = np.array(
+            [x for closure in self.closures for x in (*row_scale, *(1.0 for _ in closure.across))]
+        )
         self.column_scales = np.array([1.0 if turns else self.size for turns in system.turning])
 
     def jacobian(self, ground: "list[Pose]") -> "Any":
         """The conditions on the speeds, free of units."""
-        rows = [row for one in self.closures for row in one.rows(self.system, ground)]
+        rows = [row for closure in self.closures for row in closure.rows(self.system, ground)]
         return np.array(rows) * self.row_scales[:, None] * self.column_scales
 
     def gaps(self, ground: "list[Pose]") -> "Any":
         """How far the loops are open, free of units."""
-        return np.array([gap for one in self.closures for gap in one.gaps(ground)]) * self.row_scales
+        return np.array([gap for closure in self.closures for gap in closure.gaps(ground)]) * self.row_scales
 
     def close(self) -> float:
         """Move the system until its loops close; returns the largest move, in sizes of the scene and rad.
@@ -188,8 +186,8 @@ class Loops:
             self.system.at(moved(self.system.tree, start, (way * self.column_scales).tolist()), self.system.speeds)
             return self.gaps(self.system.ground)
 
-        found: Any = least_squares(gaps, np.zeros(len(self.column_scales)))
-        return float(np.linalg.norm(found.fun)) * self.size
+        nearest: Any = least_squares(gaps, np.zeros(len(self.column_scales)))
+        return float(np.linalg.norm(nearest.fun)) * self.size
 
     def _closed(self, start: "list[float]", free: "Any") -> "Any":
         system, coordinates = self.system, list(start)
@@ -289,7 +287,9 @@ class Loops:
         b = self.jacobian(system.ground)
         left, values, right, free = self._parts(b)
         motions = sweep(system.tree, system.frames, system.speeds)
-        drift = -np.array([x for one in self.closures for x in one.drift(system.ground, motions)]) * self.row_scales
+        drift = (
+            -np.array([x for closure in self.closures for x in closure.drift(system.ground, motions)]) * self.row_scales
+        )
         particular = right.T @ ((left.T @ drift) / values)
         m = self._masses()
         bias, _ = inverse(system.tree, system.frames, system.speeds, ground=system.base, loads=system.loads)
@@ -311,9 +311,9 @@ class Loops:
         """Force and moment of every loop on its first body, in ground axes."""
         out, place = [], 0
         numbers = [float(plain(x)) for x in multipliers]
-        for one in self.closures:
-            count = 3 + len(one.across)
-            out.append(one.wrenches(self.system.ground, numbers[place : place + count]))
+        for closure in self.closures:
+            count = 3 + len(closure.across)
+            out.append(closure.wrenches(self.system.ground, numbers[place : place + count]))
             place += count
         return out
 
@@ -343,8 +343,8 @@ class Loops:
     def with_loads(self, multipliers: "Any", *, alone: bool = False) -> "list[Wrench | None]":
         """The loads with the forces of the loops, or these alone."""
         loads: list[Wrench | None] = [None] * len(self.system.loads) if alone else list(self.system.loads)
-        for one, (force, moment) in zip(self.closures, self.forces(multipliers), strict=True):
-            for k, (f, n) in one.loads(self.system.ground, force, moment):
+        for closure, (force, moment) in zip(self.closures, self.forces(multipliers), strict=True):
+            for k, (f, n) in closure.loads(self.system.ground, force, moment):
                 before = loads[k]
                 loads[k] = (f, n) if before is None else (add(before[0], f), add(before[1], n))
         return loads

@@ -9,7 +9,7 @@ from dynamics_cli.numerics.elementary import sqrt
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.orientation.rotations import IDENTITY, matrix_of
 from dynamics_cli.numerics.trees.newton_euler import back
-from dynamics_cli.numerics.trees.tree import BALL, FIXED, PRISMATIC, REVOLUTE, Link, Tree, placed, poses
+from dynamics_cli.numerics.trees.tree import BALL, FIXED, PRISMATIC, REVOLUTE, UNITS, Link, Tree, placed, poses
 from dynamics_cli.numerics.vectors import add, cross, times
 from dynamics_cli.quantities import Angle, Inertia, Length, Ratio
 from dynamics_cli.records import Advice
@@ -25,7 +25,6 @@ if TYPE_CHECKING:
 # How many turning and sliding speeds each joint has.
 COUNTS = {"revolute": (1, 0), "prismatic": (0, 1), "cylindrical": (1, 1), "universal": (2, 0), "ball": (3, 0),
           "planar": (1, 2), "free": (3, 3), "fixed": (0, 0)}  # fmt: skip
-UNITS = ((1.0, 0.0, 0.0), (0.0, 1.0, 0.0), (0.0, 0.0, 1.0))
 # Euler parameters and tensors are typed with few digits; one farther off is a mistake, or worth a word.
 ROUNDED, TYPED = 1e-6, 1e-3
 

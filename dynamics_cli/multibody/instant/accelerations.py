@@ -138,7 +138,7 @@ def _answer(
     of: "str | None",
     rates: "list[float]",
     reactions: "tuple[Reaction, ...]",
-    made: "tuple[Check, ...]",
+    balance: "tuple[Check, ...]",
     method: str = "",
 ) -> Accelerations:
     springs, speeds = system.spring_efforts(), system.speeds
@@ -157,6 +157,6 @@ def _answer(
         kinetic_energy=kinetic(system, motions),
         potential_energy=potential(system),
         numerics=Numerics(method or "articulated bodies"),
-        checks=made,
+        checks=balance,
         advice=tuple(system.advice),
     )

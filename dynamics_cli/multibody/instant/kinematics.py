@@ -6,8 +6,8 @@ from dynamics_cli.multibody.bodies.system import System
 from dynamics_cli.numerics.number import plain
 from dynamics_cli.numerics.orientation.quaternions import of_rotation, upright
 from dynamics_cli.numerics.trees.matrix import partial
-from dynamics_cli.numerics.trees.newton_euler import sweep
-from dynamics_cli.numerics.vectors import add, cross, length, scale, times
+from dynamics_cli.numerics.trees.newton_euler import at_point, sweep
+from dynamics_cli.numerics.vectors import add, length, scale, times
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
     AccelerationVector,
@@ -132,7 +132,7 @@ def kinematics(
     k = system.body_link(of) if of is not None else len(system.tree.links) - 1
     rotation, origin = system.ground[k]
     place = add(origin, times(rotation, point))
-    velocity, acceleration = _at(motions[k], point)
+    velocity, acceleration = at_point(motions[k], point)
     velocity, acceleration = times(rotation, velocity), times(rotation, acceleration)
     ways = partial(system.tree, system.ground, k, place)
     linear, angular = momentum(system, motions, about)
@@ -163,17 +163,10 @@ def kinematics(
     )
 
 
-def _at(motion: "Motion", point: "Any") -> "tuple[Any, Any]":
-    """Velocity and acceleration of a point of a body, in the body's axes."""
-    omega, alpha, velocity, acceleration = motion
-    spun = cross(omega, point)
-    return add(velocity, spun), add(add(acceleration, cross(alpha, point)), cross(omega, spun))
-
-
 def _motion(system: System, name: str, motions: "list[Motion]") -> BodyMotion:
     k = system.link[name]
     rotation, origin = system.ground[k]
-    velocity, acceleration = _at(motions[k], system.tree.links[k].centroid)
+    velocity, acceleration = at_point(motions[k], system.tree.links[k].centroid)
     return BodyMotion(name, system.centre(k), times(rotation, velocity), times(rotation, acceleration), origin)
 
 

@@ -251,9 +251,9 @@ def _roots(small: "Small", stiffness: "Any", *, damped: bool) -> "list[tuple[com
 
         values, ways = eigh(stiffness, masses)
         least = 1e-9 * float(np.abs(values).max()) or 1e-300
-        found = [(complex(0.0, x**0.5) if x > least else complex((-x) ** 0.5 if x < -least else 0.0), ways[:, k])
+        pairs = [(complex(0.0, x**0.5) if x > least else complex((-x) ** 0.5 if x < -least else 0.0), ways[:, k])
                  for k, x in enumerate(map(float, values))]  # fmt: skip
-        return sorted(found, key=lambda pair: abs(pair[0]))
+        return sorted(pairs, key=lambda pair: abs(pair[0]))
     count = len(stiffness)
     inverse = np.linalg.inv(masses)
     companion = np.block([[np.zeros((count, count)), np.eye(count)], [-inverse @ stiffness, -inverse @ dampers]])

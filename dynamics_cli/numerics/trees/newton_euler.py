@@ -77,6 +77,25 @@ def _carried(
     return add(omega, rate), alpha, velocity, acceleration
 
 
+def at_point(motion: "Motion", point: "Vector") -> "tuple[Vector, Vector]":
+    """Velocity and acceleration of a point of a link, in the link's axes."""
+    omega, alpha, velocity, acceleration = motion
+    spun = cross(omega, point)
+    return add(velocity, spun), add(add(acceleration, cross(alpha, point)), cross(omega, spun))
+
+
+def kinetic_energy(tree: "Tree", motions: "Sequence[Motion]", speeds: "Sequence[float]") -> float:
+    """Kinetic energy of all links, that of rotors among it."""
+    total = 0.0
+    for link, motion in zip(tree.links, motions, strict=True):
+        omega, centre = motion[0], at_point(motion, link.centroid)[0]
+        total = total + 0.5 * (link.mass * dot(centre, centre) + dot(omega, times(link.tensor, omega)))
+        for column in range(len(link.columns)):
+            speed = speeds[link.first + column]
+            total = total + 0.5 * link.rotor * speed * speed
+    return total
+
+
 def along(link: "Link", numbers: "Sequence[float]") -> "Vector":
     """The vector that the numbers of a joint's speeds make, in the link's axes."""
     first = link.first

@@ -42,14 +42,14 @@ class Posture:
     """The arm's size over the shorter of its two links."""
 
 
-class Found:
-    """Postures as they are found, and the smallest gap of branches that do not reach."""
+class Branches:
+    """Postures that reach the pose, and the gaps of branches that do not."""
 
     def __init__(self) -> None:
         self.postures: list[Posture] = []
         self.gaps: list[Gap] = []
 
-    def branch(self, ways: "list[object] | Gap") -> "list[object]":
+    def open_ways(self, ways: "list[object] | Gap") -> "list[object]":
         """The ways on, none where there is a gap."""
         if isinstance(ways, Gap):
             self.gaps.append(ways)
@@ -96,8 +96,8 @@ def _planar(structure: Structure, position: Vector, rotation: Matrix) -> "list[P
     first = plane.flat(subtract(points[turns[1]], points[turns[0]]))
     second = plane.flat(subtract(end, points[turns[1]]))
     _require_links(structure, first, second)
-    found = Found()
-    for elbow in found.branch(two_links(first, second, target)):  # type: ignore[arg-type]
+    branches = Branches()
+    for elbow in branches.open_ways(two_links(first, second, target)):  # type: ignore[arg-type]
         assert isinstance(elbow, Elbow)
         turned = [elbow.first, elbow.second]
         if len(turns) == 3:
@@ -107,8 +107,8 @@ def _planar(structure: Structure, position: Vector, rotation: Matrix) -> "list[P
         coordinates = _merged(structure, values, [structure.sense(joint, plane.normal) * lift for joint in slides])
         lever = structure.size / min(abs(first), abs(second))
         name = "straight" if elbow.margin == 0.0 else f"elbow {'left' if elbow.left else 'right'}"
-        found.postures.append(Posture(coordinates, (name,), elbow=elbow, lever=lever))
-    return found.checked()
+        branches.postures.append(Posture(coordinates, (name,), elbow=elbow, lever=lever))
+    return branches.checked()
 
 
 def _merged(structure: Structure, turned: "Sequence[float]", slid: "Sequence[float]") -> "tuple[float, ...]":
@@ -125,8 +125,8 @@ def _spatial(
     centre = centre_for(structure, rotation, position)
     way = subtract(centre, points[0])
     offset = dot(axes[1], subtract(structure.centre, points[0]))
-    found = Found()
-    for shoulder in found.branch(shoulder_angles(axes[0], axes[1], way, offset, structure.size)):  # type: ignore[arg-type]
+    branches = Branches()
+    for shoulder in branches.open_ways(shoulder_angles(axes[0], axes[1], way, offset, structure.size)):  # type: ignore[arg-type]
         assert isinstance(shoulder, Shoulder)
         if shoulder.free and near is not None:
             shoulder = Shoulder(near[0], 0.0, free=True)
@@ -134,13 +134,13 @@ def _spatial(
         placed = add(turned_about(axes[0], cosine, -sine, way), points[0])
         inner = turned_back(axes[0], shoulder.angle, turned)
         branch = _with_wrist_first if structure.kind == PARALLEL else _with_elbow_first
-        branch(structure, found, shoulder, placed, inner, near)
-    return found.checked()
+        branch(structure, branches, shoulder, placed, inner, near)
+    return branches.checked()
 
 
 def _with_elbow_first(
     structure: Structure,
-    found: Found,
+    branches: Branches,
     shoulder: Shoulder,
     placed: Vector,
     inner: Matrix,
@@ -148,20 +148,20 @@ def _with_elbow_first(
 ) -> None:
     """The wrist centre decides the elbow, and what is left of the turn the wrist."""
     axes = structure.axes
-    for elbow, second, third in _elbows(structure, found, placed, structure.centre):
+    for elbow, second, third in _elbows(structure, branches, placed, structure.centre):
         if structure.kind == POSITION:
-            _keep(structure, found, (shoulder.angle, second, third), placed, shoulder, elbow, None)
+            _keep(structure, branches, (shoulder.angle, second, third), placed, shoulder, elbow, None)
             continue
         rest = turned_back(axes[2], third, turned_back(axes[1], second, inner))
         free = (near[3], None) if near is not None else (0.0, None)
-        for wrist in found.branch(wrist_angles((axes[3], axes[4], axes[5]), rest, free)):  # type: ignore[arg-type]
+        for wrist in branches.open_ways(wrist_angles((axes[3], axes[4], axes[5]), rest, free)):  # type: ignore[arg-type]
             assert isinstance(wrist, Wrist)
-            _keep(structure, found, (shoulder.angle, second, third, *wrist.angles), placed, shoulder, elbow, wrist)
+            _keep(structure, branches, (shoulder.angle, second, third, *wrist.angles), placed, shoulder, elbow, wrist)
 
 
 def _with_wrist_first(
     structure: Structure,
-    found: Found,
+    branches: Branches,
     shoulder: Shoulder,
     placed: Vector,
     inner: Matrix,
@@ -170,30 +170,32 @@ def _with_wrist_first(
     """The turn decides the last two joints and the sum of the parallel ones, and these leave a point for two links."""
     axes, points = structure.axes, structure.points
     free = (None, near[5]) if near is not None else (None, 0.0)
-    for wrist in found.branch(wrist_angles((axes[1], axes[4], axes[5]), inner, free)):  # type: ignore[arg-type]
+    for wrist in branches.open_ways(wrist_angles((axes[1], axes[4], axes[5]), inner, free)):  # type: ignore[arg-type]
         assert isinstance(wrist, Wrist)
         total = wrist.angles[0]
         turn = exp(1j * total)
         last = turned_about(axes[1], turn.real, turn.imag, subtract(structure.centre, points[3]))
-        for elbow, second, third in _elbows(structure, found, subtract(placed, last), points[3]):
+        for elbow, second, third in _elbows(structure, branches, subtract(placed, last), points[3]):
             fourth = structure.sense(3, axes[1]) * (total - elbow.first - elbow.second)
             angles = (shoulder.angle, second, third, fourth, *wrist.angles[1:])
-            _keep(structure, found, angles, placed, shoulder, elbow, wrist)
+            _keep(structure, branches, angles, placed, shoulder, elbow, wrist)
 
 
-def _elbows(structure: Structure, found: Found, target: Vector, end: Vector) -> "list[tuple[Elbow, float, float]]":
+def _elbows(
+    structure: Structure, branches: Branches, target: Vector, end: Vector
+) -> "list[tuple[Elbow, float, float]]":
     """Angles of joints 2 and 3 that bring the end of the second link to a target."""
     axes, points = structure.axes, structure.points
     plane = structure.level
     first, second = plane.flat(subtract(points[2], points[1])), plane.flat(subtract(end, points[2]))
     _require_links(structure, first, second)
-    elbows = found.branch(two_links(first, second, plane.flat(subtract(target, points[1]))))  # type: ignore[arg-type]
+    elbows = branches.open_ways(two_links(first, second, plane.flat(subtract(target, points[1]))))  # type: ignore[arg-type]
     return [(elbow, elbow.first, structure.sense(2, axes[1]) * elbow.second) for elbow in elbows]  # type: ignore[attr-defined, misc]
 
 
 def _keep(
     structure: Structure,
-    found: Found,
+    branches: Branches,
     angles: "tuple[float, ...]",
     placed: Vector,
     shoulder: Shoulder,
@@ -216,7 +218,7 @@ def _keep(
     end = points[3] if structure.kind == PARALLEL else structure.centre
     first, second = plane.flat(subtract(points[2], points[1])), plane.flat(subtract(end, points[2]))
     lever = structure.size / min(abs(first), abs(second))
-    found.postures.append(Posture(angles, tuple(names), shoulder, elbow, wrist, lever))
+    branches.postures.append(Posture(angles, tuple(names), shoulder, elbow, wrist, lever))
 
 
 def _require_links(structure: Structure, first: complex, second: complex) -> None:

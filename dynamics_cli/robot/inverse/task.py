@@ -13,7 +13,7 @@ from dynamics_cli.numerics.orientation.rotations import (
     product,
     transposed,
 )
-from dynamics_cli.numerics.vectors import subtract
+from dynamics_cli.numerics.vectors import subtract, times
 from dynamics_cli.quantities import Angle, Annotated, Coordinate, Count, HandPosition, Ratio, Size, Text
 from dynamics_cli.records import Advice, Check, Numerics, record
 from dynamics_cli.robot.arms.chain import INFINITE, Chain, beyond_limits, chain_of, coordinates_of, limits
@@ -181,8 +181,7 @@ def _orientation(structure: Structure, hand_angle: float | None, turn: "Turn | N
     if planar:
         tilt = product(rotation, transposed(structure.rotation))
         axis = structure.axes[0]
-        moved = tuple(sum(a * b for a, b in zip(row, axis, strict=True)) for row in tilt)
-        off = hypot(*subtract(moved, axis))  # type: ignore[arg-type]
+        off = hypot(*subtract(times(tilt, axis), axis))
         require(off < SAME_POSE, "the orientation tilts the hand by {off} out of the plane of the arm",
                 off=(off, Angle), code="out-of-reach")  # fmt: skip
     return rotation
