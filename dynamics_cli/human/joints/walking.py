@@ -14,8 +14,8 @@ if TYPE_CHECKING:
     Series = list[float]
     Path = tuple[Series, Series]
 
-# Two passes of a Butterworth filter of second order have their common corner at the frequency asked for when the tangent
-# tan(π·f·step) of each is that of this frequency over (√2 − 1)^(1/4).
+# Two passes of a Butterworth filter of second order have their common corner at the frequency asked for when each has
+# it where tan(π·f·step) is that of this frequency over (√2 − 1)^(1/4).
 TWO_PASSES = 0.8022432629231502
 # So many periods of the corner are mirrored at each end.
 PERIODS = 2.0
