@@ -108,12 +108,12 @@ def damped(
     goal = STILL if until is None else abs(until)
     require(0.0 < plain(goal) < plain(size), "an amplitude of {until} is not below that of the release",
             until=(goal, Angle), code="until", hint="give a smaller angle")  # fmt: skip
-    own = math.sqrt(plain(gravity) / plain(length))
+    natural = math.sqrt(plain(gravity) / plain(length))
     most = SHOWN_SWINGS if until is None else MOST_SWINGS
     if damping == 0.0:
-        fine = coarse = _by_energy(own, plain(quadratic), plain(size), plain(goal), most)
+        fine = coarse = _by_energy(natural, plain(quadratic), plain(size), plain(goal), most)
     else:
-        given = own, plain(damping), plain(quadratic), plain(size), plain(goal)
+        given = natural, plain(damping), plain(quadratic), plain(size), plain(goal)
         if drawing():
             fine = coarse = _sampled(*given, most)
         else:
@@ -166,7 +166,7 @@ def _fraction(peaks: "Sequence[tuple[float, float]]", start: float, goal: float)
     return float(len(peaks)), peaks[-1][0]
 
 
-def _by_energy(own: float, quadratic: float, size: float, goal: float, most: int) -> "list[tuple[float, float]]":
+def _by_energy(natural: float, quadratic: float, size: float, goal: float, most: int) -> "list[tuple[float, float]]":
     """Times and sizes of the turning points where drag is by the square of the speed alone.
 
     The square of the speed is linear in itself: from −a upwards it is 2ω₀²/(1 + 4β²) times cos φ − 2β·sin φ
@@ -175,9 +175,9 @@ def _by_energy(own: float, quadratic: float, size: float, goal: float, most: int
     import numpy as np
     from scipy.optimize import brentq
 
-    found: list[tuple[float, float]] = []
-    time, scale = 0.0, 2.0 * own * own / (1.0 + 4.0 * quadratic * quadratic)
-    while len(found) < most and size > goal:
+    peaks: list[tuple[float, float]] = []
+    time, scale = 0.0, 2.0 * natural * natural / (1.0 + 4.0 * quadratic * quadratic)
+    while len(peaks) < most and size > goal:
         start = math.cos(size) + 2.0 * quadratic * math.sin(size)
 
         def square(angle: "Any", a: float = size, start: float = start) -> "Any":
@@ -195,56 +195,56 @@ def _by_energy(own: float, quadratic: float, size: float, goal: float, most: int
             before, took = took, float((half * np.sin(turns) / speeds).sum()) * math.pi / places
             places *= 2
         time, size = time + took, end
-        found.append((time, end))
-    return found
+        peaks.append((time, end))
+    return peaks
 
 
 def _integrated(
-    own: float, damping: float, quadratic: float, size: float, goal: float, tolerance: float, most: int
+    natural: float, damping: float, quadratic: float, size: float, goal: float, tolerance: float, most: int
 ) -> "list[tuple[float, float]]":
     """Times and sizes of the turning points, until one is below the goal."""
     from scipy.integrate import solve_ivp
 
     def motion(_: float, state: "Any") -> "list[float]":
         angle, rate = float(state[0]), float(state[1])
-        return [rate, -(2.0 * damping * own + quadratic * abs(rate)) * rate - own * own * math.sin(angle)]
+        return [rate, -(2.0 * damping * natural + quadratic * abs(rate)) * rate - natural * natural * math.sin(angle)]
 
     def turns(_: float, state: "Any") -> float:
         return float(state[1])
 
     turns.terminal = True  # type: ignore[attr-defined]
-    found: list[tuple[float, float]] = []
-    time, angle, span = 0.0, size, 40.0 / own
-    while len(found) < most:
+    peaks: list[tuple[float, float]] = []
+    time, angle, span = 0.0, size, 40.0 / natural
+    while len(peaks) < most:
         # the first step leaves the turning point, where the rate is zero
         turns.direction = 1.0 if angle > 0.0 else -1.0  # type: ignore[attr-defined]
-        made = solve_ivp(motion, (time, time + span), [angle, 0.0], method="DOP853", rtol=tolerance,
+        solved = solve_ivp(motion, (time, time + span), [angle, 0.0], method="DOP853", rtol=tolerance,
                          atol=tolerance * abs(angle) * 1e-3, events=turns)  # fmt: skip
-        if not len(made.t_events[0]):
+        if not len(solved.t_events[0]):
             break
-        time, angle = float(made.t_events[0][0]), float(made.y_events[0][0][0])
-        found.append((time, abs(angle)))
+        time, angle = float(solved.t_events[0][0]), float(solved.y_events[0][0][0])
+        peaks.append((time, abs(angle)))
         if abs(angle) <= goal:
             break
-    return found
+    return peaks
 
 
 def _sampled(
-    own: float, damping: float, quadratic: float, size: float, goal: float, most: int
+    natural: float, damping: float, quadratic: float, size: float, goal: float, most: int
 ) -> "list[tuple[float, float]]":
     """The same for samples: LSODA over many swings at a time, turning points by cubics of the rate within a step."""
     import numpy as np
     from scipy.integrate import odeint
 
-    drag, pull = 2.0 * damping * own, own * own
+    drag, pull = 2.0 * damping * natural, natural * natural
 
     def motion(state: "Any", _: float) -> "tuple[float, float]":
         angle, rate = state.tolist()
         return rate, -(drag + quadratic * abs(rate)) * rate - pull * math.sin(angle)
 
-    found: list[tuple[float, float]] = []
-    step, begin, state = STEP / own, 0.0, (size, 0.0)
-    while len(found) < most and (not found or found[-1][1] > goal):
+    peaks: list[tuple[float, float]] = []
+    step, begin, state = STEP / natural, 0.0, (size, 0.0)
+    while len(peaks) < most and (not peaks or peaks[-1][1] > goal):
         times = begin + step * np.arange(STEPS + 1)
         states = odeint(motion, state, times, rtol=SAMPLED, atol=SAMPLED * goal)
         angle, rate = states.T
@@ -260,7 +260,7 @@ def _sampled(
             value = terms[0] + share * (terms[1] + share * (terms[2] + share * terms[3]))
             share -= value / (terms[1] + share * (2.0 * terms[2] + 3.0 * share * terms[3]))
         moved = sum(term * share ** (power + 1) / (power + 1) for power, term in enumerate(terms))
-        found += zip((times[at] + step * share).tolist(), np.abs(angle[at] + step * moved).tolist(), strict=True)
+        peaks += zip((times[at] + step * share).tolist(), np.abs(angle[at] + step * moved).tolist(), strict=True)
         begin, state = float(times[-1]), states[-1]
-    short = next((number for number, (_, peak) in enumerate(found, 1) if peak <= goal), len(found))
-    return found[: min(short, most)]
+    short = next((number for number, (_, peak) in enumerate(peaks, 1) if peak <= goal), len(peaks))
+    return peaks[: min(short, most)]

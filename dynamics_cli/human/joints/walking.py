@@ -15,8 +15,8 @@ if TYPE_CHECKING:
     Path = tuple[Series, Series]
 
 # Two passes of a Butterworth filter of second order have their common corner at the frequency asked for when each has
-# it at that frequency over (√2 − 1)^(1/4).
-TWO_PASSES = 0.8022
+# it where tan(π·f·step) is that of this frequency over (√2 − 1)^(1/4).
+TWO_PASSES = 0.8022432629231502
 # So many periods of the corner are mirrored at each end.
 PERIODS = 2.0
 ROOT_TWO = 1.4142135623730951
@@ -39,7 +39,7 @@ def smooth(values: "Sequence[float]", step: float, cutoff: float) -> "Series":
     What is filtered is the series beside the straight line between its ends, so that a steady motion stays as it is;
     beyond the ends it goes on as its own mirror image, turned about the end.
     """
-    turn = tan(3.141592653589793 * cutoff * step / TWO_PASSES)
+    turn = tan(3.141592653589793 * cutoff * step) / TWO_PASSES
     k1, k2 = ROOT_TWO * turn, turn * turn
     a0 = k2 / (1.0 + k1 + k2)
     b1 = 2.0 * a0 * (1.0 / k2 - 1.0)

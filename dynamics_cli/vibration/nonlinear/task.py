@@ -144,8 +144,8 @@ def nonlinear(
 
     Examples
     --------
-    >>> made = nonlinear(oscillator=Duffing(0.1))
-    >>> round(made.averaged_frequency, 9), round(made.true_frequency, 9)
+    >>> answer = nonlinear(oscillator=Duffing(0.1))
+    >>> round(answer.averaged_frequency, 9), round(answer.true_frequency, 9)
     (1.0375, 1.036716907)
     """
     require(natural_frequency is None or natural_frequency > 0.0, "the natural frequency is zero", code="no-stiffness")

@@ -38,12 +38,12 @@ def half_cycle(f: "Law", start: float, tolerance: float, jacobian: "Any" = None)
         code="no-return", start=f"{start:g}", hint="the spring pushes away there: begin nearer to the middle",
     )  # fmt: skip
     more = {"jac": jacobian} if jacobian else {}
-    made = solve_ivp(
+    solved = solve_ivp(
         rate, (0.0, 1e4), (start, 0.0), method="Radau" if jacobian else "DOP853", rtol=tolerance, atol=tolerance,
         events=resting, dense_output=False, **more,
     )  # fmt: skip
-    require(made.status == 1, "the motion does not come back to rest", code="no-return")
-    return float(made.t_events[0][-1]), float(made.y_events[0][-1][0])
+    require(solved.status == 1, "the motion does not come back to rest", code="no-return")
+    return float(solved.t_events[0][-1]), float(solved.y_events[0][-1][0])
 
 
 def limit_cycle(f: "Law", start: float, stiff: "Any", tolerance: float) -> "tuple[float, float]":
@@ -88,9 +88,9 @@ class Forced:
         from scipy.integrate import solve_ivp
 
         period = 2.0 * math.pi / self.omega
-        made = solve_ivp(self.rate, (0.0, period), state, method="DOP853", rtol=TOLERANCE, atol=TOLERANCE,
+        solved = solve_ivp(self.rate, (0.0, period), state, method="DOP853", rtol=TOLERANCE, atol=TOLERANCE,
                          dense_output=dense)  # fmt: skip
-        return made if dense else made.y[:, -1]
+        return solved if dense else solved.y[:, -1]
 
     def cycle(self, amplitude: float, lag: float) -> "tuple[float, float, bool] | None":
         """First harmonic and largest displacement of the true cycle near to an averaged one; whether it is stable."""
@@ -106,9 +106,9 @@ class Forced:
                 break
         else:
             return None
-        made = self.over_period(state, dense=True)
-        times = np.arange(256) / 256.0 * made.t[-1]
-        x = made.sol(times)[0]
+        period = self.over_period(state, dense=True)
+        times = np.arange(256) / 256.0 * period.t[-1]
+        x = period.sol(times)[0]
         first = 2.0 * abs((x * np.exp(-1j * self.omega * times)).mean())
         stable = bool(max(abs(np.linalg.eigvals(monodromy))) < 1.0)
         return float(first), float(abs(x).max()), stable
@@ -120,7 +120,7 @@ def balance_roots(zeta: float, cubic: float, force: float, omega: float) -> "lis
     c = 0.75 * cubic
     polynomial = np.array([c * c, 2.0 * c * p, p * p + q, -force * force])
     roots = np.roots(np.trim_zeros(polynomial, "f"))
-    made = []
+    amplitudes = []
     for root in roots:
         if abs(root.imag) > 1e-7 * abs(root) or root.real <= 0.0:
             continue
@@ -129,8 +129,8 @@ def balance_roots(zeta: float, cubic: float, force: float, omega: float) -> "lis
             value = ((c * u + p) ** 2 + q) * u - force * force
             slope = (c * u + p) * (3.0 * c * u + p) + q
             u -= value / slope if slope else 0.0
-        made.append(math.sqrt(u))
-    return sorted(made)
+        amplitudes.append(math.sqrt(u))
+    return sorted(amplitudes)
 
 
 def jumps(zeta: float, cubic: float, force: float, top: float) -> "list[float | None]":
