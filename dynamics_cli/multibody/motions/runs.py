@@ -176,6 +176,10 @@ class Run:
         self.kinetics.append(moving)
         self.energies.append(moving + potential(self.system) - state[-1])
 
+    def clean(self, value: float, place: int) -> float:
+        """A number of a state, 0 where it is below the tolerance beside the largest that there was."""
+        return value if abs(value) > self.tolerance * max(abs(state[place]) for state in self.states) else 0.0
+
     def energy_error(self) -> float:
         """The largest change of energy less work, over the largest energy exchanged."""
         exchanged = max(max(self.kinetics), max(abs(state[-1]) for state in self.states))
