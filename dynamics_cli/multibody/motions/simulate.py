@@ -3,7 +3,7 @@
 from dynamics_cli.errors import require, worded
 from dynamics_cli.multibody.bodies.records import Scene, Upward
 from dynamics_cli.multibody.bodies.results import effort, rate
-from dynamics_cli.multibody.bodies.system import System, loads_of
+from dynamics_cli.multibody.bodies.system import System
 from dynamics_cli.multibody.motions.runs import SAMPLES, Run, parted
 from dynamics_cli.numerics.trees.newton_euler import sweep
 from dynamics_cli.numerics.trees.tree import BALL, FIXED, PRISMATIC
@@ -195,7 +195,7 @@ def runs_of(
             loops.close()
             loops.settle()
             loops.require_regular()
-        system.loads = loads_of(system)
+        system.begin()
         pair.append((Run(system, loops, drives, times, max(one, 3e-14)), loops))
     (fine, loops), (coarse, _) = pair
     return fine, coarse, loops
