@@ -1,5 +1,7 @@
 """The task `simulate`: how a scene of bodies in space moves over time."""
 
+from functools import lru_cache
+
 from dynamics_cli.errors import require, worded
 from dynamics_cli.multibody.bodies.records import Scene, Upward
 from dynamics_cli.multibody.bodies.results import effort, rate
@@ -174,6 +176,8 @@ def _passed(run: Run, known: int) -> "Iterator[Advice]":
             yield Advice("stop", message, remedy=f"give {remedy}, or end the motion before")
 
 
+# a picture after the answer needs the same motion
+@lru_cache(maxsize=1)
 def runs_of(
     scene: Scene, duration: float, steps: int, tolerance: float, up: Upward, gravity: float
 ) -> "tuple[Run, Run, Loops | None]":
