@@ -153,6 +153,7 @@ def test_loops_move_alike_in_the_plane_and_in_space(name: str) -> None:
 def test_a_pushed_loop_keeps_its_energy(monkeypatch: pytest.MonkeyPatch, plane: bool) -> None:
     if not plane:
         monkeypatch.setattr("dynamics_cli.multibody.motions.planar.normal_of", lambda _: None)
+    runs_of.cache_clear()
     run, _, _ = runs_of(SCENES["four-bar, pushed"], 0.5, 2, 1e-10, Upward("z"), 9.81)
     assert (run.plane is not None) is plane
     assert run.energy_error() < KEPT
