@@ -20,13 +20,18 @@ ZERO = (0.0, 0.0, 0.0)
 class PointSpring:
     """One spring: it pulls its ends together with k·(l − free length) + c·l̇."""
 
-    def __init__(self, spring: Spring, number: int, links: "tuple[int, int]", ground: "Sequence[Pose]") -> None:
+    def __init__(self, spring: Spring, number: int, links: "tuple[int, int]") -> None:
         self.number, self.links = number, links
         require(self.links[0] != self.links[1], "spring {number} joins {body} to itself", number=number,
                 body=spring.first, code="spring", hint="name two bodies; ground is the other by default")  # fmt: skip
         self.at = spring.first_at, spring.second_at
         self.stiffness, self.damping = spring.stiffness, spring.damping
-        self.free = length(self.way(ground)) if spring.free_length is None else spring.free_length
+        self.given = spring.free_length
+        self.free = 0.0
+
+    def begin(self, ground: "Sequence[Pose]") -> None:
+        """Without a free length given, take the one that it has here."""
+        self.free = length(self.way(ground)) if self.given is None else self.given
 
     def way(self, ground: "Sequence[Pose]") -> "Vector":
         """From the first end to the second, in ground axes."""

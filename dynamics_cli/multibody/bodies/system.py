@@ -61,10 +61,10 @@ class System:
         # the weight of things, as an upward acceleration of the ground
         self.base: Vector = tuple(pull * x for x in UNITS["xyz".index(up)]) if up != "none" else ORIGIN  # type: ignore[assignment]
         self.between = [
-            PointSpring(spring, n, (self.body_link(spring.first), self.body_link(spring.second)), self.ground)
+            PointSpring(spring, n, (self.body_link(spring.first), self.body_link(spring.second)))
             for n, spring in enumerate(scene.springs, 1)
         ]
-        self.loads = loads_of(self)
+        self.begin()
         self._say_passed()
         if scene.drives:
             self.advice.append(Advice("drives", "drives count in simulate alone: here joints move as their bodies say"))
@@ -74,6 +74,12 @@ class System:
         self.coordinates, self.speeds = coordinates, speeds
         self.frames: list[Pose] = poses(self.tree, coordinates)
         self.ground: list[Pose] = placed(self.tree, self.frames)
+
+    def begin(self) -> None:
+        """Take the place where the bodies stand as that of the scene: loads and free lengths of springs follow."""
+        for spring in self.between:
+            spring.begin(self.ground)
+        self.loads = loads_of(self)
 
     def body_link(self, name: str) -> int:
         """The link of a body; refuses an unknown name."""

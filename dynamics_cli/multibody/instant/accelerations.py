@@ -4,7 +4,7 @@ from dynamics_cli.errors import worded
 from dynamics_cli.multibody.bodies.energy import checks, kinetic, potential
 from dynamics_cli.multibody.bodies.records import Scene, Upward
 from dynamics_cli.multibody.bodies.results import Reaction, effort, rate, reaction_rows, second
-from dynamics_cli.multibody.bodies.system import System, loads_of
+from dynamics_cli.multibody.bodies.system import System
 from dynamics_cli.numerics.trees.articulated import forward
 from dynamics_cli.numerics.trees.newton_euler import inverse, sweep
 from dynamics_cli.numerics.vectors import times
@@ -109,7 +109,7 @@ def _in_loops(system: System, of: "str | None") -> Accelerations:
     loops = Loops(system)
     moved, changed = loops.close(), loops.settle()
     loops.require_regular()
-    system.loads = loads_of(system)
+    system.begin()
     springs = system.spring_efforts()
     driven = [motor + spring for motor, spring in zip(system.efforts, springs, strict=True)]
     found, multipliers, nothing = loops.accelerations(driven)

@@ -39,6 +39,15 @@ class Drives:
         """Place, rate and second derivative of every driven joint."""
         return [(place, law(time)) for place, law in self.laws.items()]
 
+    def conditions(self, time: float, scales: "list[float]") -> "list[list[float]]":
+        """Conditions on the rates of the speeds, in units of these scales."""
+        out = []
+        for place, (_, _, second) in self.laws_at(time):
+            row = [0.0] * (len(scales) + 1)
+            row[place], row[-1] = 1.0, second / scales[place]
+            out.append(row)
+        return out
+
     def place(self, time: float) -> None:
         """Put the driven joints where their laws have them."""
         coordinates, speeds = list(self.system.coordinates), list(self.system.speeds)

@@ -201,6 +201,7 @@ def _at_rest(scene: Scene, up: Upward, gravity: float) -> "tuple[Small, float]":
         loops = Loops(system)
         loops.close()
         loops.require_regular()
+        system.begin()
     small = Small(system, loops)
     left = small.rest()
     forces = small.free @ (small.free.T @ small.driving())

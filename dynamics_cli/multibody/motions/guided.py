@@ -49,11 +49,7 @@ class Guided:
             for row, drift in zip(one.rows(system, system.ground), drifts, strict=True):
                 scale = self.rows[len(out)]
                 out.append([scale * x * y for x, y in zip(row, self.columns, strict=True)] + [-scale * drift])
-        for place, (_, _, rate) in self.drives.laws_at(time) if self.drives is not None else ():
-            row = [0.0] * (len(self.columns) + 1)
-            row[place], row[-1] = 1.0, rate / self.columns[place]
-            out.append(row)
-        return out
+        return out if self.drives is None else out + self.drives.conditions(time, self.columns)
 
 
 def reduced_rates(

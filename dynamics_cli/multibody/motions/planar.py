@@ -6,6 +6,7 @@ Places and arms are those of the start, turned with their bodies. Out of the pla
 from cmath import rect
 
 from dynamics_cli.multibody.motions.guided import eliminated, reduced_rates
+from dynamics_cli.multibody.motions.planar_forces import PlanarLoad, PlanarSpring
 from dynamics_cli.numerics.trees.tree import BALL, FIXED, PRISMATIC
 from dynamics_cli.numerics.vectors import cross, dot, length, subtract, times
 
@@ -14,6 +15,7 @@ if TYPE_CHECKING:
     from collections.abc import Sequence
 
     from dynamics_cli.multibody.bodies.loops import Loops
+    from dynamics_cli.multibody.motions.drives import Drives
     from dynamics_cli.numerics.vectors import Vector
 
 # Axes count as parallel within this angle [rad].
@@ -65,8 +67,12 @@ def normal_of(loops: "Loops") -> "Vector | None":
 class Planar:
     """A system with loops in one plane; makes no use of where the system stands later."""
 
-    def __init__(self, loops: "Loops", normal: "Vector") -> None:
+    def __init__(self, loops: "Loops", normal: "Vector", drives: "Drives | None" = None) -> None:
         system = loops.system
+        self.drives = drives
+        # power of loads and dampers, and efforts of drives and loops, at the last state
+        self.power = 0.0
+        self.missing: list[float] = []
         k = min(range(3), key=lambda i: abs(normal[i]))
         east = cross(normal, (float(k == 0), float(k == 1), float(k == 2)))
         size = length(east)
@@ -94,6 +100,11 @@ class Planar:
             own: Vector = tuple(across)  # type: ignore[assignment]
             part.inertia = dot(own, times(link.tensor, own))
             self.parts.append(part)
+        scene = system.scene
+        self.acting: list[PlanarLoad | PlanarSpring] = [
+            *(PlanarLoad(system, load, flat, normal) for load in scene.loads),
+            *(PlanarSpring(system, spring, flat, normal) for spring in system.between),
+        ]
         # the points of every loop, from the origins of their bodies
         self.ends = [
             tuple(
@@ -103,14 +114,24 @@ class Planar:
             for one in loops.closures
         ]
 
-    def accelerations(self, q: "Sequence[float]", y: "Sequence[float]", efforts: "Sequence[float]") -> "list[float]":
+    def accelerations(
+        self, q: "Sequence[float]", y: "Sequence[float]", efforts: "Sequence[float]", time: float = 0.0
+    ) -> "list[float]":
         """Rates of the speeds at coordinates and speeds (both in the order of the links)."""
         self._place(q, y)
         count = len(self.columns)
         matrix, bias = self._matrix(count)
-        dependent = eliminated(self._conditions(count), count)
+        conditions = self._conditions(count)
+        if self.drives is not None:
+            conditions += self.drives.conditions(time, self.columns)
         left = [effort - held for effort, held in zip(efforts, bias, strict=True)]
-        return reduced_rates(dependent, self.columns, matrix, left)
+        rates = reduced_rates(eliminated(conditions, count), self.columns, matrix, left)
+        if self.drives is not None:
+            self.missing = [
+                sum([a * b for a, b in zip(row, rates, strict=True)]) - given
+                for row, given in zip(matrix, left, strict=True)
+            ]
+        return rates
 
     def _place(self, q: "Sequence[float]", y: "Sequence[float]") -> None:
         """Turn, origin, angular velocity and acceleration without rates of the speeds, of every link."""
@@ -118,9 +139,11 @@ class Planar:
         self.origins: list[complex] = []
         self.omegas: list[float] = []
         self.drifts: list[complex] = []
+        self.velocities: list[complex] = []
         self.ways: list[complex] = []
         for part in self.parts:
             k = part.parent
+            velocity = self.velocities[k] if k >= 0 else 0j
             turn, origin, omega, drift = (
                 (self.turns[k], self.origins[k], self.omegas[k], self.drifts[k])
                 if k >= 0
@@ -128,9 +151,11 @@ class Planar:
             )
             arm, way = turn * part.arm, turn * part.way
             if part.way:
+                velocity += way * y[part.first]
                 arm += way * (q[part.first] - part.start)
                 drift += 2j * omega * y[part.first] * way
             drift -= omega * omega * arm
+            velocity += 1j * omega * arm
             if part.sign:
                 turn *= rect(1.0, part.sign * (q[part.first] - part.start))
                 omega += part.sign * y[part.first]
@@ -138,6 +163,7 @@ class Planar:
             self.origins.append(origin + arm)
             self.omegas.append(omega)
             self.drifts.append(drift)
+            self.velocities.append(velocity)
             self.ways.append(way)
 
     def _matrix(self, count: int) -> "tuple[list[list[float]], list[float]]":
@@ -156,6 +182,13 @@ class Planar:
             seconds.append(part.inertia + part.mass * (centre.real**2 + centre.imag**2))
             forces.append(force)
             moments.append(centre.real * force.imag - centre.imag * force.real)
+        self.power = 0.0
+        for one in self.acting:
+            pushes, power = one.pushes(self.turns, origins, self.velocities, self.omegas)
+            self.power += power
+            for k, arm, push, moment in pushes:
+                forces[k] -= push
+                moments[k] -= arm.real * push.imag - arm.imag * push.real + moment
         for k in range(len(parts) - 1, -1, -1):
             part = parts[k]
             if part.sign or part.way:

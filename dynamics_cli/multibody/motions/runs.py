@@ -33,9 +33,9 @@ def guides(system: "System", loops: "Loops | None", drives: "Drives | None") -> 
     from dynamics_cli.multibody.motions.guided import Guided
     from dynamics_cli.multibody.motions.planar import Planar, normal_of
 
-    scene = system.scene
-    normal = None if loops is None or drives or scene.loads or scene.springs else normal_of(loops)
-    return Guided(system, loops, drives), None if loops is None or normal is None else Planar(loops, normal)
+    normal = None if loops is None else normal_of(loops)
+    planar = None if loops is None or normal is None else Planar(loops, normal, drives)
+    return Guided(system, loops, drives), planar
 
 
 class Run:
@@ -71,7 +71,7 @@ class Run:
         """Rates of the speeds where the system stands, or where coordinates and speeds say."""
         system, driven = self.system, self.driven(coordinates, speeds)
         if self.plane is not None:
-            return self.plane.accelerations(coordinates, speeds, driven)
+            return self.plane.accelerations(coordinates, speeds, driven, time)
         if self.guide is not None:
             return self.guide.accelerations(driven, time)
         return forward(system.tree, system.frames, system.speeds, driven, ground=system.base, loads=system.loads)
@@ -94,15 +94,17 @@ class Run:
         power = 0.0
         for effort, spring, y in zip(system.efforts, system.springs, speeds, strict=True):
             power += effort * y - spring.damping * y * y
-        if system.scene.loads or system.between:
-            power += self._load_power()
         accelerations = self.accelerations(float(time), coordinates, speeds)
+        if system.scene.loads or system.between:
+            power += self.plane.power if self.plane is not None else self._load_power()
         if self.drives is not None:
             power += sum(a * y for a, y in zip(self.missing(accelerations), speeds, strict=True))
         return [*rates(system.tree, coordinates, speeds), *accelerations, power]
 
     def missing(self, accelerations: "list[float]") -> "list[float]":
-        """What drives and loops add to every joint's effort, where the system stands."""
+        """What drives and loops add to every joint's effort, at the state that these belong to."""
+        if self.plane is not None:
+            return self.plane.missing
         system = self.system
         needed, _ = inverse(
             system.tree, system.frames, system.speeds, accelerations, ground=system.base, loads=system.loads
@@ -173,6 +175,10 @@ class Run:
         moving = kinetic(self.system, sweep(self.system.tree, self.system.frames, self.system.speeds))
         self.kinetics.append(moving)
         self.energies.append(moving + potential(self.system) - state[-1])
+
+    def clean(self, value: float, place: int) -> float:
+        """A number of a state, 0 where it is below the tolerance beside the largest that there was."""
+        return value if abs(value) > self.tolerance * max(abs(state[place]) for state in self.states) else 0.0
 
     def energy_error(self) -> float:
         """The largest change of energy less work, over the largest energy exchanged."""

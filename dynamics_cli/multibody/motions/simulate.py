@@ -1,9 +1,11 @@
 """The task `simulate`: how a scene of bodies in space moves over time."""
 
+from functools import lru_cache
+
 from dynamics_cli.errors import require, worded
 from dynamics_cli.multibody.bodies.records import Scene, Upward
 from dynamics_cli.multibody.bodies.results import effort, rate
-from dynamics_cli.multibody.bodies.system import System, loads_of
+from dynamics_cli.multibody.bodies.system import System
 from dynamics_cli.multibody.motions.runs import SAMPLES, Run, parted
 from dynamics_cli.numerics.trees.newton_euler import sweep
 from dynamics_cli.numerics.trees.tree import BALL, FIXED, PRISMATIC
@@ -33,6 +35,7 @@ if TYPE_CHECKING:
     from collections.abc import Iterator, Sequence
 
     from dynamics_cli.multibody.bodies.loops import Loops
+    from dynamics_cli.numerics.vectors import Vector
 
 # Where two runs are apart by this, nothing is known any more [rad, or sizes of the scene].
 LOST = 0.01
@@ -143,11 +146,11 @@ def simulate(
         difference=known,
         energy_error=error,
         kinetic_energy=fine.kinetics[-1 if lost is None else lost - 1],
-        work=fine.states[-1 if lost is None else lost - 1][-1] if fine.worked() else None,
+        work=fine.clean(fine.states[-1 if lost is None else lost - 1][-1], -1) if fine.worked() else None,
         drives=tuple(drive_rows(fine, len(fine.times) if lost is None else lost)) if scene.drives else None,
         gap=fine.gap * loops.size if loops is not None else None,
-        states=tuple(_states(system)),
-        motion=tuple(rows),
+        states=tuple(_states(fine)),
+        motion=tuple(_cleaned(rows, fine.tolerance)),
         numerics=Numerics("DOP853, two tolerances"),
         checks=(
             Check("energy and work balance", error <= max(1e5 * tolerance, 1e-9), error, max(1e5 * tolerance, 1e-9)),
@@ -173,6 +176,8 @@ def _passed(run: Run, known: int) -> "Iterator[Advice]":
             yield Advice("stop", message, remedy=f"give {remedy}, or end the motion before")
 
 
+# a picture after the answer needs the same motion
+@lru_cache(maxsize=1)
 def runs_of(
     scene: Scene, duration: float, steps: int, tolerance: float, up: Upward, gravity: float
 ) -> "tuple[Run, Run, Loops | None]":
@@ -194,7 +199,7 @@ def runs_of(
             loops.close()
             loops.settle()
             loops.require_regular()
-        system.loads = loads_of(system)
+        system.begin()
         pair.append((Run(system, loops, drives, times, max(one, 3e-14)), loops))
     (fine, loops), (coarse, _) = pair
     return fine, coarse, loops
@@ -242,12 +247,26 @@ def _row(run: Run, k: int, n: int) -> MotionRow:
     return MotionRow(run.times[n], system.centre(k), moving, times(turn, omega), tuple(system.coordinates))
 
 
-def _states(system: System) -> "Sequence[StateRow]":
+def _cleaned(rows: "list[MotionRow]", share: float) -> "Iterator[MotionRow]":
+    """The rows with components as zeros that are below this share of the largest."""
+
+    def clean(vectors: "list[Vector]") -> "list[Vector]":
+        least = share * max((abs(x) for v in vectors for x in v), default=0.0)
+        return [tuple(x if abs(x) > least else 0.0 for x in v) for v in vectors]  # type: ignore[misc]
+
+    columns = (clean([getattr(row, name) for row in rows]) for name in ("centre", "velocity", "angular_velocity"))
+    for row, centre, velocity, omega in zip(rows, *columns, strict=True):
+        yield MotionRow(row.time, centre, velocity, omega, row.coordinates)
+
+
+def _states(run: Run) -> "Sequence[StateRow]":
+    """Where the system stands."""
+    system, split = run.system, run.split
     rows = []
     columns = zip(system.names, system.turning, system.springs, system.speeds, strict=True)
-    for name, turns, spring, speed in columns:
+    for n, (name, turns, spring, speed) in enumerate(columns):
         place = spring.place
         kind = Angle if turns else Length
-        value = None if place is None else Quantity(system.coordinates[place], kind)
-        rows.append(StateRow(name, value, rate(turns, speed)))
+        value = None if place is None else Quantity(run.clean(system.coordinates[place], place), kind)
+        rows.append(StateRow(name, value, rate(turns, run.clean(speed, split + n))))
     return rows
