@@ -166,7 +166,6 @@ INVERSE = Task(
     digits=5,
     arrays=False,
     tracked=False,
-    errors=("position_error", "turn_error", "angle_error"),
 )
 
 TORQUE = Task(

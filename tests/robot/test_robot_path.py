@@ -97,7 +97,7 @@ def test_limits_and_jumps_are_named() -> None:
     assert "at 1 s joint 1 jumps by" in out.out + out.err
     near = '--lengths "500, 400 mm" --start "-300, 100.01 mm" --end "300, 100.01 mm" --duration "2 s"'
     out = run(*shlex.split(f"robot path {near}"))
-    assert "0.1812 deg from straight" in out.out + out.err
+    assert "its elbow is 0.1812 deg" in out.out + out.err
     assert "posture changes" not in out.out + out.err
 
 
