@@ -263,7 +263,7 @@ PATH = Task(
         "length: length of the path",
         "peak_hand_speed: largest speed of the hand",
         "posture: posture",
-        "least_nearness: least singular value ratio",
+        "least_nearness: least σ ratio (0: singular)",
         "least_time: at",
         "jumps: jumps to another posture",
         "joints: joint | joint, start, end, start_travel=from, end_travel=to, peak_speed=peak speed, "

@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 from harness import run
 
-from dynamics_cli.numerics.orientation.rotations import Euler
+from dynamics_cli.numerics.orientation.rotations import ByMatrix, Euler
 from dynamics_cli.robot.arms.records import Arm
 from dynamics_cli.robot.path.course import Profile, course_of
 from dynamics_cli.robot.path.task import HandPath, path
@@ -99,6 +99,26 @@ def test_limits_and_jumps_are_named() -> None:
     out = run(*shlex.split(f"robot path {near}"))
     assert "its elbow is 0.1812 deg" in out.out + out.err
     assert "posture changes" not in out.out + out.err
+
+
+def test_a_wrist_that_passes_through_its_singular_posture_and_beside_it() -> None:
+    """Through it the outer axes rest; 10 mm beside it they turn half a turn, at speeds that the table's rows miss."""
+    start = tuple(map(radians, (0, 30, -100, 0, 20, 0)))
+    end = tuple(map(radians, (0, 60, -90, 0, -20, 0)))
+    first, last = (pose(PUMA, angles=angles) for angles in (start, end))
+    turn = ByMatrix(first.rotation_matrix)
+    through = path(PUMA, start=first.position, end=last.position, turn=turn, duration=1.0, near=start)
+    assert through.jumps == 0
+    assert through.points[-1].angles == pytest.approx(end, abs=1e-12)
+    assert (through.joints[3].peak_speed, through.joints[5].peak_speed) == (0.0, 0.0)
+    x, y, z = first.position
+    aside = path(
+        PUMA, start=(x, y + 0.01, z), end=(last.position[0], y + 0.01, last.position[2]), turn=turn, duration=1.0,
+        near=start,
+    )  # fmt: skip
+    assert aside.jumps == 0
+    assert (aside.joints[3].peak_speed or 0.0) > 90.0
+    assert aside.within == "no, wrist 1 beyond a limit"
 
 
 @pytest.mark.parametrize(

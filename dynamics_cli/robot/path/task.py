@@ -93,8 +93,8 @@ def path(
     arm: Annotated[Arm, "The arm, from a file."],
     /,
     *,
-    start: Annotated[HandPosition, "Where the hand starts, e.g. 450, 100, 900 mm; planar arms: 550, 350 mm."],
-    end: Annotated[HandPosition, "Where it ends, e.g. 450, -200, 900 mm; planar arms: 550, 50 mm."],
+    start: Annotated[HandPosition, "Where the hand starts (of planar arms two numbers do), e.g. 450, 100, 900 mm."],
+    end: Annotated[HandPosition, "Where it ends, e.g. 450, -200, 900 mm."],
     via: Annotated[
         HandPosition | None, "A point on the way: an arc through it instead of a line, e.g. 500, 0, 900 mm."
     ] = None,
@@ -165,7 +165,7 @@ def path(
         joints=joints,
         points=_points(trace, profile, time, points),
         checks=(Check("the first posture gives the pose", worst <= SAME_POSE, worst, SAME_POSE),),
-        advice=_advice(trace, times, chosen),
+        advice=_advice(trace, times, chosen, bool(near)),
         numerics=Numerics("closed form"),
     )
 
@@ -286,7 +286,7 @@ def _points(trace: Trace, profile: Profile, time: float, count: int) -> "tuple[P
     return tuple(rows)
 
 
-def _advice(trace: Trace, times: "Sequence[float]", chosen: Solution) -> "tuple[Advice, ...]":
+def _advice(trace: Trace, times: "Sequence[float]", chosen: Solution, near: bool) -> "tuple[Advice, ...]":
     advice = []
     at = {step.share: time for step, time in zip(trace.steps, times, strict=True)}
     for jump in trace.jumps:
@@ -297,11 +297,11 @@ def _advice(trace: Trace, times: "Sequence[float]", chosen: Solution) -> "tuple[
         advice.append(Advice("jump", message, severity="serious", remedy="start in another posture by --near"))
     for step, (name, excess, turns) in trace.beyond:
         message = worded(
-            "joint {name} is beyond its limit from {time} on, by {excess} there; no posture at the start goes all the "
-            "way within the limits",
+            "joint {name} is beyond its limit from {time} on, by {excess} there",
             name=name, time=(at[step.share], Time), excess=(excess, Angle if turns else Coordinate),
         )  # fmt: skip
-        advice.append(Advice("beyond-limit", message, severity="serious"))
+        remedy = "leave out --near to try all postures at the start" if near else "no posture at the start avoids it"
+        advice.append(Advice("beyond-limit", message, severity="serious", remedy=remedy))
     least = min(trace.steps, key=lambda step: step.nearness)
     if least.nearness < CLOSE:
         posture = least.posture

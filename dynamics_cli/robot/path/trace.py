@@ -22,6 +22,8 @@ FAR, SHORTEST = 0.08, 1e-7
 CLEAR = 0.25
 # A singular value below this share of the largest is zero.
 LOST = 1e-12
+# What rounding leaves of the speed of a joint at rest, as a share of the largest.
+ROUNDING = 1e-13
 
 
 @record
@@ -147,4 +149,7 @@ class Trace:
                 along = sum(a * wanted[row] for a, row in zip(left, rows, strict=True)) / value
                 rates = [rate + along * part for rate, part in zip(rates, right, strict=True)]
         nearness = parts.values[-1] / parts.values[0] if parts.values[0] else 0.0
-        return tuple(rate * scale for rate, scale in zip(rates, scales, strict=True)), nearness
+        least = ROUNDING * max(map(abs, rates))
+        return tuple(
+            scale * rate if abs(rate) > least else 0.0 for rate, scale in zip(rates, scales, strict=True)
+        ), nearness
