@@ -11,6 +11,8 @@ SCENE = {
     "convention": "standard", "joints[0].a": "500 mm", "joints[1].a": "400 mm", "angles": "30, 45 deg",
 }  # fmt: skip
 
+SCENE_PATH = {"convention": "standard", "joints[0].a": "500 mm", "joints[1].a": "400 mm"}
+
 SCENE_LIMITS = {
     "convention": "standard", "joints[0].a": "500 mm", "joints[0].lower": "-90 deg", "joints[0].upper": "90 deg",
     "joints[1].a": "400 mm", "joints[1].lower": "-150 deg", "joints[1].upper": "150 deg",
@@ -244,9 +246,47 @@ WORKSPACE = Task(
     tracked=False,
 )
 
+PATH = Task(
+    "path",
+    "A straight line or an arc of the hand: joint angles and speeds in time, against their limits.",
+    Model(
+        "closed form of the inverse along the path",
+        "dynamics_cli.robot.path.task:path",
+        source=BOOK + "sections 19.12 and 19.15",
+        formula="q̇ = J⁻¹·(p′, θ′)·ṡ; s = 10τ³ − 15τ⁴ + 6τ⁵",
+        assumptions=(RIGID,),
+    ),
+    headline=(
+        "within: within limits",
+        "duration: duration",
+        "shortest_duration: shortest possible",
+        "length: length of the path",
+        "peak_hand_speed: largest speed of the hand",
+        "posture: posture",
+        "least_nearness: least σ ratio (0: singular)",
+        "least_time: at",
+        "jumps: jumps to another posture",
+        "joints: joint | joint, start, end, start_travel=from, end_travel=to, peak_speed=peak speed, "
+        "peak_slide_speed=peak speed, peak_time=at, share=of allowed",
+    ),
+    examples=(
+        'dynamics robot path --lengths "500, 400 mm" --start "700, 100 mm" --end "200, 500 mm" --duration "2 s"',
+        'dynamics robot path --robot puma-560 --start "450, 150, 900 mm" --end "450, -250, 700 mm" '
+        '--euler-angles "0, 90, 0 deg" --euler-order XYZ --hand-speed "0.5 m/s"',
+    ),
+    scene=SCENE_PATH | {"start": "700, 100 mm", "end": "200, 500 mm", "duration": "2 s"},
+    names=ARM | {"euler-order": "dynamics_cli.numerics.orientation.sequences:ALL"},
+    also=("line", "trajectory"),
+    plot="dynamics_cli.robot.path.pictures:path_picture",
+    table="points",
+    arrays=False,
+    tracked=False,
+    errors=("least_nearness",),
+)
+
 FAMILIES = {
     "robot": Family(
-        "robot", "Robot arms: pose, Jacobian, inverse kinematics, workspace, torques.",
-        POSE, JACOBIAN, RATES, INVERSE, WORKSPACE, TORQUE,
+        "robot", "Robot arms: pose, Jacobian, inverse kinematics, workspace, paths, torques.",
+        POSE, JACOBIAN, RATES, INVERSE, WORKSPACE, PATH, TORQUE,
     )
 }  # fmt: skip

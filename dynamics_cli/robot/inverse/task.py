@@ -118,7 +118,7 @@ def inverse(
     chain = over_plain(chain_of(arm))
     structure = structure_of(chain)
     target = (plain(position[0]), plain(position[1]), plain(position[2]))
-    rotation = _orientation(structure, hand_angle, turn)
+    rotation = orientation_of(structure, hand_angle, turn)
     start = [plain(angle) for angle in near]
     slides = chain.turning.count(False)
     now = coordinates_of(chain, start, (0.0,) * slides, ("near", "slides")) if near else None
@@ -156,7 +156,7 @@ def has_wrist(structure: Structure) -> bool:
     return structure.kind not in (PLANAR, POSITION) or (structure.kind == PLANAR and len(structure.turns) == 3)
 
 
-def _orientation(structure: Structure, hand_angle: float | None, turn: "Turn | None") -> Matrix:
+def orientation_of(structure: Structure, hand_angle: float | None, turn: "Turn | None") -> Matrix:
     """The rotation of the hand; where the arm does not choose it, that at zero."""
     planar = structure.kind == PLANAR
     given = hand_angle is not None or turn is not None

@@ -75,7 +75,7 @@ def workspace(
     /,
     *,
     position: Annotated[
-        HandPosition | None, "A point: is it reached, and how, e.g. 450, 100, 600 mm; planar arms: 550, 350 mm."
+        HandPosition | None, "A point (of planar arms two numbers do): is it reached, and how, e.g. 450, 100, 600 mm."
     ] = None,
 ) -> Workspace:
     """Reach of an arm with its limits, in the plane of its links.
