@@ -131,5 +131,5 @@ def impossible(chain: Chain) -> "tuple[Advice, ...]":
             names.append(name)
     if not names:
         return ()
-    message = f"the moments of inertia of {', '.join(names)} are of no body: one is above the sum of the other two"
+    message = f"no body has the tensor of {', '.join(names)}: a moment exceeds the others' sum"
     return (Advice("impossible-body", message, severity="note"),)
