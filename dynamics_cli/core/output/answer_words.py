@@ -17,8 +17,8 @@ LABEL_DIGITS = 6
 # Number of results shown where a task declares no headline.
 MOST_UNDECLARED = 8
 MOST_DIGITS = 15
-# Ends of an interval that are off by an error are shown to the place of five times the error.
-END_PLACES = 50.0
+# Ends of an interval that are off by an error are shown to the place of five times the error, at most one place fewer.
+END_PLACES, ONE_PLACE = 50.0, 10.0
 # An estimate of the calculation's own error is no better known.
 ESTIMATE_DIGITS = 2
 # Where it is smaller only its power of ten counts, and this is the smallest.
@@ -230,7 +230,7 @@ def interval_in_words(document: "dict[str, Any]", address: str, std: float, digi
     """The interval of an uncertain result: its ends to fewer places where they are known to a part of a deviation."""
     entry = document["numerics"].get("uncertainty", {}).get("results", {}).get(address, {})
     error = entry.get("estimate", 0.0)
-    std *= max(1.0, END_PLACES * min(1.0 if error is None else error, 1.0))
+    std *= ONE_PLACE if error is None else min(max(1.0, END_PLACES * error), ONE_PLACE)
     node = node_at(document["results"], address)
     low, high = (uncertain_in_words(end, node, std, digits, asked=asked) for end in node["interval"])
     return f"{100.0 * node['coverage']:.6g} %: {low} to {high}"
