@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from dynamics_cli.core.inputs.uncertain.distributions import Normal, Uniform
-from dynamics_cli.core.uncertainty.propagation import propagate
-from dynamics_cli.core.uncertainty.tails import BEYOND_SAMPLES, narrowing, remedy
+from dynamics_cli.core.uncertainty.propagation import Spread, propagate
+from dynamics_cli.core.uncertainty.tails import BEYOND_SAMPLES, drop_moments, narrowing, remedy
 from dynamics_cli.numerics.distributions import normal
 
 NAMES = ("a", "b", "c", "d")
@@ -150,3 +150,11 @@ def test_a_dear_model_has_polynomials_beside_its_sample(seed: int) -> None:
     assert "beside polynomials of degree 6" in made.spreads["bend3"].method
     assert made.spreads["bend3"].std == pytest.approx(math.sqrt(math.expm1(0.36)) * math.exp(0.18), rel=2e-3)
     assert made.points < 10_000
+
+
+def test_values_at_two_ends_have_a_deviation() -> None:
+    """A result that jumps between two values is no long tail, however poorly it is known."""
+    two = Spread("place", "", [0.0, 0.1, 1.2], 0.6, 0.6)
+    two.estimate = 1.0
+    drop_moments(two, 0.95)
+    assert (two.std, two.tails) == (0.6, False)

@@ -114,6 +114,24 @@ def test_a_limit_is_asked_of_the_model_itself() -> None:
     assert made.spreads["sum"].beyond[0][1] == pytest.approx(normal.upper(15.0 / math.sqrt(6.0)), rel=1e-6)
 
 
+def test_of_few_affordable_cases_a_limit_leaves_the_interval_as_it_is() -> None:
+    class Costly(Slow):
+        def __init__(self) -> None:
+            super().__init__()
+            self.drawing = Drawing()
+            self.drawing.each = 0.01
+
+    given = dict.fromkeys("abc", Normal(0.0, 1.0))
+    limit = 15.0
+    alone, limited = (
+        propagate(Costly(), given, samples=20_000, accuracy=1e-3, shares=False, limits=limits).spreads["sum"]
+        for limits in ({}, {"sum": [limit]})
+    )
+    assert limited.interval == pytest.approx(alone.interval, rel=1e-9)
+    assert limited.estimate < FAIR
+    assert limited.beyond[0][1] == pytest.approx(normal.upper(limit / math.sqrt(6.0)), rel=1e-3)
+
+
 def test_bounded_inputs_and_refused_cases_are_left_to_other_methods() -> None:
     """Beside a wall the polynomials have nothing to be fitted to."""
 

@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 from harness import answer, run
 
+from dynamics_cli.core.output.answer_words import interval_in_words
 from dynamics_cli.records import Formula
 from dynamics_cli.sampling import Drawing
 from dynamics_cli.vibration.nonlinear.truth import balance_roots, jumps
@@ -101,3 +102,34 @@ def test_a_sample_of_a_shock_spectrum_has_its_worst_point() -> None:
     with Drawing():
         assert worst() == whole
         assert worst() == whole
+
+
+SHAKEN = ("vibration", "transient", "--natural-frequency", "20 Hz", "--damping-ratio", "0.05", "--base-acceleration",
+          "30 g", "--shape", "half-sine", "--duration", "11 ms")  # fmt: skip
+PUSHED = ("vibration", "history", "--masses", "1, 1, 1 kg", "--damping-ratio", "0.02", "--force-law",
+          "200*exp(-30*t)*sin(60*t) N", "--force-at", "1", "--read-at", "2", "--duration", "1 s")  # fmt: skip
+
+
+@pytest.mark.parametrize("call", [SHAKEN, (*PUSHED, "--stiffnesses", "10, 10, 10 N/mm")], ids=["one", "three"])
+def test_a_peak_to_the_negative_side_exceeds_its_limit(call: tuple[str, ...]) -> None:
+    document = answer(*call, "--limit", "peak=10 mm")
+    assert document["results"]["peak"]["value"] > 10.0
+    assert document["limits"][0]["beyond"]
+
+
+def test_a_peak_whose_side_changes_within_the_spread_is_its_size() -> None:
+    """The side of the largest displacement changes about the nominal stiffness; its size hardly does."""
+    results = answer(*PUSHED, "--stiffnesses", "10 ± 0.5, 10, 10 N/mm")["results"]
+    low, high = results["peak"]["interval"]
+    assert 0.0 < low < results["peak"]["median"] < high
+
+
+def test_ends_of_an_interval_that_is_hardly_known_have_fewer_places() -> None:
+    document = {
+        "results": {"force": {"value": 161.0, "interval": [158.42, 164.75], "coverage": 0.95, "std": 1.564}},
+        "numerics": {"uncertainty": {"results": {"force": {"estimate": 0.001}}}},
+    }
+    stated = document["numerics"]["uncertainty"]["results"]["force"]
+    for error, wanted in ((0.001, "158.4 to 164.8"), (0.3, "158 to 165"), (None, "158 to 165")):
+        stated["estimate"] = error
+        assert interval_in_words(document, "force", 1.564, 6, asked=False) == f"95 %: {wanted}"

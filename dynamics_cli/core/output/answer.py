@@ -23,6 +23,7 @@ from dynamics_cli.core.output.answer_words import (
     headline_labels,
     in_words,
     input_in_words,
+    interval_in_words,
     is_in_parts,
     is_uncertain_vector,
     letters,
@@ -166,8 +167,7 @@ class _Answer:
         node = node_at(self.results, address)
         if isinstance(node, dict) and "interval" in node:
             std = self._deviation(address)
-            low, high = (uncertain_in_words(x, node, std, self.digits, asked=self.asked) for x in node["interval"])
-            remarks.append(f"{100.0 * node['coverage']:.6g} %: {low} to {high}")
+            remarks.append(interval_in_words(self.document, address, std, self.digits, asked=self.asked))
         return remarks + asked_of(self.document, address)
 
     def _deviation(self, address: str) -> float:

@@ -17,6 +17,8 @@ LABEL_DIGITS = 6
 # Number of results shown where a task declares no headline.
 MOST_UNDECLARED = 8
 MOST_DIGITS = 15
+# Ends of an interval that are off by an error are shown to the place of five times the error, at most one place fewer.
+END_PLACES, ONE_PLACE = 50.0, 10.0
 # An estimate of the calculation's own error is no better known.
 ESTIMATE_DIGITS = 2
 # Where it is smaller only its power of ten counts, and this is the smallest.
@@ -224,6 +226,16 @@ def uncertain_in_words(value: "Any", node: "dict[str, Any]", std: float, digits:
     if is_uncertain_vector(node):
         return vector_in_words(value, node, digits, asked=asked)
     return decimals(value, std) if std else number(value, digits)
+
+
+def interval_in_words(document: "dict[str, Any]", address: str, std: float, digits: int, *, asked: bool) -> str:
+    """The interval of an uncertain result: its ends to fewer places where they are known to a part of a deviation."""
+    entry = document["numerics"].get("uncertainty", {}).get("results", {}).get(address, {})
+    error = entry.get("estimate", 0.0)
+    std *= ONE_PLACE if error is None else min(max(1.0, END_PLACES * error), ONE_PLACE)
+    node = node_at(document["results"], address)
+    low, high = (uncertain_in_words(end, node, std, digits, asked=asked) for end in node["interval"])
+    return f"{100.0 * node['coverage']:.6g} %: {low} to {high}"
 
 
 def is_in_parts(node: "dict[str, Any]") -> bool:

@@ -204,8 +204,7 @@ def _distribute(
                 goals[row] = goal.asking(limits.get(name, ()), levels.get(name, ()), curve=False)
         start(space, goals, probe, method)
     for row, name in enumerate(space.results):
-        # A curve is drawn for the limited results, or for the first that varies.
-        curve = goal.curve and (name in limits if limits else not propagation.varying())
+        curve = goal.curve and (name in limits if limits else not propagation.varying())  # or the first that varies
         own = goal.asking(limits.get(name, ()), levels.get(name, ()), curve=curve)
         twin, scale, shift = twins[row]
         more = {name, twin} & (limits.keys() | levels.keys())
@@ -216,8 +215,9 @@ def _distribute(
         elif sample is not None:
             propagation.spreads[name] = _sampled(name, row, sample, own)
         else:
-            best = None if name in more else _stood_in(stand_in, name, row, own, probe, space)
-            # Where the polynomials are accurate enough, further points of the model would add nothing.
+            replaced = space.affordable is not None or name not in more
+            best = _stood_in(stand_in if replaced else None, name, row, own, probe, space)
+            # where the polynomials are accurate enough, further points of the model add nothing
             near = best is not None and stand_in is not None and stand_in.errors[row] <= goal.accuracy * best.std
             if best is None or not (near or best.estimate <= FAIR):
                 other = _integrated(space, name, row, own, method, probe, slopes.get(name))
@@ -229,11 +229,11 @@ def _distribute(
 
 def _stood_in(stand_in: StandIn | None, name: str, row: int, goal: Goal, probe: "Array", space: Space) -> Spread | None:
     """A result from the polynomials that replace a slow model; None where they are not accurate enough."""
-    # polynomials may be the best there is of a costly model
-    most = float(np.nanstd(probe[row])) if space.affordable is None else np.inf
-    if stand_in is None or not stand_in.errors[row] < most:
+    # of a costly model polynomials may be the best there is
+    if stand_in is None or not stand_in.errors[row] < (np.nanstd(probe[row]) if space.affordable is None else np.inf):
         return None
-    quick = Goal(goal.p, goal.scores, goal.accuracy, DEFAULT_POINTS, goal.seed, curve=goal.curve)
+    quick = goal.asking(goal.limits, goal.levels, curve=goal.curve)
+    quick.points = DEFAULT_POINTS
     spread = _integrated(stand_in.space, name, row, quick, "auto", probe, None)
     spread.estimate += float(stand_in.errors[row]) / spread.std if spread.std > 0.0 else np.inf
     spread.method += f", on polynomials of degree {stand_in.degree} fitted to {stand_in.count} calls"

@@ -12,8 +12,9 @@ if TYPE_CHECKING:
     from dynamics_cli.core.uncertainty.propagation import Propagation, Spread
 
 # An error of the moments, in deviations, above which they are not settled; and deviations beside that of a normal
-# distribution of the same interval which the tails alone make, and which the mean does not survive either.
-UNSETTLED, LONG_TAILED, TAILS_ALONE = 0.02, 1.5, 10.0
+# distribution of the same interval which the tails alone make (values at both ends of the interval make 1.96), and
+# which the mean does not survive either.
+UNSETTLED, LONG_TAILED, TAILS_ALONE = 0.02, 2.0, 10.0
 # An error, in deviations, that ten times as many samples do not reduce.
 BEYOND_SAMPLES = 0.06
 

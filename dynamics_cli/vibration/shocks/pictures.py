@@ -20,11 +20,12 @@ SMOOTH = 24
 def transient(result: "Any", **_: "Any") -> Picture:
     """Displacement over time with its peak and the slow value."""
     table = result.history.arrays
-    sign = 1.0 if result.peak >= 0.0 else -1.0
+    # the side of the peak, as the nearest row of the table has it
+    sign = 1.0 if table["displacement"][abs(table["time"] - result.peak_time).argmin()] >= 0.0 else -1.0
     items: tuple[Any, ...] = (
         Curve(table["time"], table["displacement"], role=0),
         Band(sign * result.static, sign * result.static, "if it came slowly", vertical=False),
-        Mark(result.peak_time, result.peak, "peak"),
+        Mark(result.peak_time, sign * result.peak, "peak"),
     )
     time = Axis("time", Time, ends=(0.0, float(table["time"][-1])))
     return Picture((Panel(time, Axis("displacement", Coordinate), items),), "after the load")

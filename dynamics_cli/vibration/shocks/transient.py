@@ -74,14 +74,14 @@ class HistoryPoint:
 class Transient:
     """The vibration after a sudden load."""
 
-    peak: Annotated[Coordinate, "Displacement that is largest in size [m]."]
+    peak: Annotated[Size, "Size of the largest displacement, to either side [m]."]
     peak_time: Annotated[Time, "When [s]."]
-    rebound: Annotated[Coordinate, "Largest displacement to the other side [m]."]
+    rebound: Annotated[Size, "Size of the largest displacement to the other side [m]."]
     static: Annotated[Size, "Displacement if the load came slowly [m]."]
     factor: Annotated[Ratio, "Dynamic factor: peak over that [-]."]
     overshoot: Annotated[Ratio | None, "Peak beyond the new rest position over its distance, after a step or ramp [-]."]
     peak_acceleration: Annotated[
-        Acceleration | None, "On a base that moves: absolute acceleration of the mass, largest in size [m/s^2]."
+        Acceleration | None, "On a base that moves: size of the largest absolute acceleration of the mass [m/s^2]."
     ]
     ground_force: Annotated[Force | None, "Under a force: largest force to the ground, of spring and damper [N]."]
     natural_frequency: Annotated[Frequency, "Undamped natural frequency f_n [Hz]."]
@@ -181,16 +181,16 @@ def transient(
     table["acceleration"] = (
         -2.0 * of.sigma * table["velocity"] - square * table["displacement"] + (0.0 if loaded.based else force)
     )
-    strongest = pushed.high[0] if pushed.high[0] >= -pushed.low[0] else pushed.low[0]
+    strongest = float(max(pushed.high[0], -pushed.low[0]))
     return Transient(
-        peak=float(peak),
+        peak=float(abs(peak)),
         peak_time=float((moved.high_time if sign > 0.0 else moved.low_time)[0]),
-        rebound=float(other),
+        rebound=float(abs(other)),
         static=still,
         factor=float(abs(peak)) / still,
         overshoot=max(float(abs(peak)) / still - 1.0, 0.0) if steady else None,
-        peak_acceleration=float(strongest) if loaded.based else None,
-        ground_force=None if loaded.based or mass is None else float(abs(strongest)) * mass,
+        peak_acceleration=strongest if loaded.based else None,
+        ground_force=None if loaded.based or mass is None else strongest * mass,
         natural_frequency=system.hertz,
         damping_ratio=system.zeta,
         history=Columns(HistoryPoint, **{name: table[name] for name in HistoryPoint.fields}),  # type: ignore[attr-defined]

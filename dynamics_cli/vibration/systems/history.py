@@ -9,6 +9,7 @@ from dynamics_cli.quantities import (
     Frequency,
     PotentialEnergy,
     Ratio,
+    Size,
     Text,
     Time,
     VibrationSpeed,
@@ -56,7 +57,7 @@ class Moment:
 class History:
     """The motion over time."""
 
-    peak: Annotated[Coordinate, "Largest displacement of the coordinate read [m]."]
+    peak: Annotated[Size, "Size of the largest displacement of the coordinate read; its side is in `peaks` [m]."]
     peak_time: Annotated[Time, "When [s]."]
     read: Annotated[Text, "The coordinate of the history."]
     work: Annotated[PotentialEnergy, "Work that the load did [J]."]
@@ -117,7 +118,7 @@ def history(
     off = abs(work - lost - stored) / max(motion.largest_energy, 1e-300)
     checks = (Check("work is what was lost and stored", off <= BALANCE, off, BALANCE),) if motion.followed else ()
     return History(
-        peak=peaks[place].displacement,
+        peak=abs(peaks[place].displacement),
         peak_time=peaks[place].time,
         read=peaks[place].name,
         work=work,
