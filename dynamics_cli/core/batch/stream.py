@@ -251,12 +251,14 @@ def _warn(case: Case, names: "list[str]", terminal: "Terminal") -> None:
     """Warn of passed-through names that look like a parameter: a misspelt optional one would go unnoticed."""
     from dynamics_cli.core.units.near_names import nearest_words
 
-    known = case.names | {name.replace("-", "_") for name in case.task.options}
+    options = {name.replace("-", "_"): ".".join(option.path) for name, option in case.task.options.items()}
     for name in names[:20]:
-        near = [] if name in ("error", "results", "id") else nearest_words(name, known, 1)
+        near = [] if name in ("error", "results", "id") else nearest_words(name, {*case.names, *options}, 1)
         if near:
+            # an object has the parts of a body within it
+            meant = options[name] if near == [name] else near[0]
             terminal.tell(
-                f"dynamics: {name!r} is not a parameter of {case.task.path} and passes through (not {near[0]}?)\n"
+                f"dynamics: {name!r} is not a parameter of {case.task.path} and passes through (not {meant}?)\n"
             )
 
 
