@@ -255,6 +255,8 @@ def _check(
     if isinstance(aim, Aimed):
         require(speed is None, "speed, elevation and target are all given", code="exclusive",
                 hint="leave out one: it is found from the others")  # fmt: skip
+        require(absolute(aim.elevation) < RIGHT, "straight up or down it does not come to a target ahead",
+                code="elevation", hint="give an elevation between -90 and 90 deg")  # fmt: skip
         return meeting(*aim.target, tan(aim.elevation))
     if speed is None:
         raise MissingError("the speed is not given", (("speed",), ("elevation", "target")))

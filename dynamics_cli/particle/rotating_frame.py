@@ -2,7 +2,7 @@
 
 from dynamics_cli.errors import require
 from dynamics_cli.numerics.elementary import absolute, cos, pi_beside, sin
-from dynamics_cli.numerics.number import plain, single
+from dynamics_cli.numerics.number import decides, plain
 from dynamics_cli.numerics.vectors import FrameTerms, Vector, add, length, scale
 from dynamics_cli.particle.fall import EARTH, QUARTER
 from dynamics_cli.quantities import (
@@ -120,8 +120,8 @@ def _on_earth(latitude: float, velocity: Vector, mass: float | None) -> Rotating
     coriolis = _against(FrameTerms(ZERO, (spin, ZERO), (velocity, ZERO), (ZERO, ZERO)).coriolis)
     rate = absolute(upwards)
     level = length((velocity[0], velocity[1], 0.0))
-    turns = not single(rate) or plain(rate) > 0.0
-    goes = turns and (not single(level) or plain(level) > 0.0)
+    turns = not decides(rate) or plain(rate) > 0.0
+    goes = turns and (not decides(level) or plain(level) > 0.0)
     turn = pi_beside(latitude) / rate if turns else None
     return RotatingFrame(
         coriolis, length(coriolis), None, None, None, None, *_forces(mass, coriolis),

@@ -12,6 +12,7 @@ REFUSED = {
     "too low": ('projectile --speed "5 m/s" --elevation "45 deg" --height "-2 m"', "out-of-reach"),
     "level": ('projectile --speed "5 m/s" --elevation "0 deg"', "no-flight"),
     "backwards": ('projectile --speed "5 m/s" --elevation "95 deg"', "elevation"),
+    "straight up": ('projectile --elevation "90 deg" --target "80, 5 m"', "elevation"),
     "behind": ('projectile --speed "50 m/s" --target "-3, 5 m"', "target"),
     "two drags": (
         'projectile --speed "5 m/s" --elevation "45 deg" --time-constant "3 s" --terminal-speed "9 m/s"',
@@ -88,3 +89,12 @@ def test_the_speed_for_an_angle_and_a_target_passes_the_target(drag: str) -> Non
     assert min(abs(angle - 40.0) for angle in angles) < 1e-7
     if not drag:
         assert speed == pytest.approx(29.33849129739612, rel=1e-13)
+
+
+def test_rows_of_a_particle_at_rest_on_earth_have_no_circle() -> None:
+    speeds = [5, *[0, 5] * 160, 5]
+    rows = "latitude[deg],velocity[0][m/s],velocity[1][m/s],velocity[2][m/s]\n" + "".join(
+        f"52,{v},0,0\n" for v in speeds
+    )
+    out = run("particle", "rotating-frame", "--only", "inertial_radius", "--rows", "-", stdin=rows).out
+    assert [bool(line.split(",")[4]) for line in out.splitlines()[1:]] == [bool(v) for v in speeds]

@@ -116,3 +116,22 @@ def test_a_file_says_what_a_list_does_and_when_the_brake_was_on(tmp_path: Path) 
     uneven = run("skid", "record", "--file", str(file))
     assert uneven.status == 3
     assert "not equally spaced: 0.4 s to 0.6 s apart" in uneven.err
+
+
+def test_rows_of_vehicles_that_stand_between_samples_are_those_of_single_calls() -> None:
+    """Among rows that do not stand."""
+    least = ["--greatest-acceleration", "9 m/s^2", "--only", "least_distance"]
+    rows = ["60,50,40", *["60,50,40", "20,6,2"] * 160, "60,50,40"]
+    out = run(
+        "skid",
+        "record",
+        *least,
+        "--rows",
+        "-",
+        stdin="speeds[0][km/h],speeds[1][km/h],speeds[2][km/h]\n" + "\n".join(rows),
+    ).out
+    wanted = {
+        row: repr(answer("skid", "record", *least[:2], "--speeds", f"{row} km/h")["results"]["least_distance"]["value"])
+        for row in set(rows)
+    }
+    assert [line.split(",")[3] for line in out.splitlines()[1:]] == [wanted[row] for row in rows]

@@ -3,7 +3,7 @@
 from itertools import pairwise
 
 from dynamics_cli.errors import require, worded
-from dynamics_cli.numerics.elementary import absolute, maximum, sqrt
+from dynamics_cli.numerics.elementary import absolute, maximum, sqrt, where
 from dynamics_cli.numerics.number import plain, single
 from dynamics_cli.quantities import (
     STANDARD_GRAVITY,
@@ -231,8 +231,9 @@ def _limits(
         )  # fmt: skip
         room = 0.25 * (reach * reach - change * change) / most
         more = more + room
-        stands = single(both, reach) and plain(both) < plain(reach)
-        less = less + (0.5 * interval * both - 0.5 * (before * before + after * after) / most if stands else room)
+        # it may stand for a while
+        stopped = 0.5 * interval * both - 0.5 * (before * before + after * after) / most
+        less = less + where(both < reach, stopped, room)
     return distance - less, distance + more
 
 
