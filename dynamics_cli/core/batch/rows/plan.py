@@ -179,7 +179,7 @@ class Plan:
             if not isinstance(value, np.ndarray) or not value.ndim:
                 columns.append((layout, "all", constant(layout, record)))
                 continue
-            if value.shape != rows.shape or layout.how == "word":
+            if value.shape != rows.shape:
                 raise Unsuited(f"{layout.address} is no column")
             columns.append((layout, "each", shown(value, layout, factor, good)))
         return kept(rows, columns, good, part.trail)
