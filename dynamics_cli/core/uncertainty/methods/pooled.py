@@ -48,6 +48,7 @@ SINGLE = 1 << 10
 # The greatest degree of polynomials fitted to a sample, points of it for each of their terms, and the replicates and
 # points of each that they are sampled at, so many at a time.
 DEGREE, POINTS_A_TERM = 6, 16
+FIT_POINTS = 4  # the fewest points for each term of a plane
 WIDE, AT_ONCE = (64, MOST_POINTS), 2048
 # A number of theirs may scatter more than that of the sample by this share of its worst quantile.
 ALIKE = 0.3
@@ -75,7 +76,9 @@ class Pool:
             z = _points(space.size, self.count, shifts, seed)
             space.some(z, list(self._rows), values[:, place * self.count :][:, : z.shape[1]])
         self._values = values.reshape(-1, self.shifts, self.count)
-        dear = space.together or space.affordable is not None
+        # polynomials that pass through every point of a sample say nothing of what they are off by
+        enough = z.shape[1] >= FIT_POINTS * (space.size + 1)
+        dear = enough and (space.together or space.affordable is not None)
         self._wide = Wide(space, z, self._values, goal.seed) if dear and suits(space) else None
 
     def outcome(self, result: int, goal: Goal, centre: Lines) -> Outcome:
