@@ -363,12 +363,10 @@ def trees() -> Iterator[Case]:
                    "planar revolute fixed revolute"):  # fmt: skip
         for k in (1, 2):
             yield from cases_of(f"{joints} {k}", "", drawn_tree(joints), every)
-    yield from cases_of(
-        "tree with loads", "", drawn_tree("revolute ball", loads=[load, load | {"axes": "body"}]), every
-    )
-    yield from cases_of(
-        "tree with spring and damper", "", drawn_tree("ball revolute prismatic", springs=[spring]), every
-    )
+    loads = [load, load | {"axes": "body"}]
+    yield from cases_of("tree with loads", "", drawn_tree("revolute ball", loads=loads), every)
+    sprung = drawn_tree("ball revolute prismatic", springs=[spring])
+    yield from cases_of("tree with spring and damper", "", sprung, every)
 
 
 def chosen() -> Iterator[Case]:
