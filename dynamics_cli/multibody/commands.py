@@ -179,7 +179,7 @@ SIMULATE = Task(
     scene=_shown() | {"duration": "2 s"},
     examples=(
         "dynamics multibody simulate examples/swing_crane/four_bar.toml --duration '0.5 s'",
-        "dynamics multibody simulate examples/swing_crane/four_bar.toml --duration '1 s' --follow crank --steps 4",
+        "dynamics multibody simulate examples/swing_crane/four_bar.toml --duration '1 s' --follow crank --steps 3",
     ),
     table="motion states",
     plot=PACKAGE + "pictures:motion_picture",

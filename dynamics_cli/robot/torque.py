@@ -3,7 +3,7 @@
 from dynamics_cli.errors import MissingError, require
 from dynamics_cli.numerics.elementary import absolute, maximum, sqrt, where
 from dynamics_cli.numerics.elementary import total as total_of
-from dynamics_cli.numerics.number import over_plain, plain, single
+from dynamics_cli.numerics.number import decides, over_plain, plain, single
 from dynamics_cli.numerics.trees.newton_euler import inverse
 from dynamics_cli.numerics.trees.tree import Tree, poses
 from dynamics_cli.numerics.vectors import dot, scale
@@ -148,7 +148,7 @@ def torque(
     instant = chain, q, v, a, loads
     whole = Loaded(*instant)
     driven = any(plain(x) for joint in chain.joints for x in (joint.rotor_inertia, joint.viscous, joint.coulomb))
-    alone = single(*q, *v, *a, *total)
+    alone, ordered = single(*q, *v, *a, *total), decides(*total)
     held, pushed = payload is not None, force is not None or moment is not None
     turned, slid = [], []
     for name, joint, turning, effort, part, rate, second in zip(
@@ -166,7 +166,7 @@ def torque(
     return Torques(
         torques=tuple(row.torque for row in turned) or None,
         largest_torque=_largest(sizes),
-        largest_joint=max(turned, key=lambda row: plain(absolute(row.torque))).joint if turned and alone else None,
+        largest_joint=max(turned, key=lambda row: plain(absolute(row.torque))).joint if turned and ordered else None,
         slide_forces=tuple(row.force for row in slid) or None,
         drives=tuple(row.drive for row in turned) if driven else None,  # type: ignore[misc]
         power=total_of([t * rate for t, rate in zip(total, v, strict=True)]) if speeds or slide_speeds else None,

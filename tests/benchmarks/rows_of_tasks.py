@@ -38,8 +38,12 @@ NUMBER = re.compile(r"(?<![\w^.])-?\d+\.?\d*(?:e-?\d+)?")
 LIST = re.compile(rf"({NUMBER.pattern})((?:, ?{NUMBER.pattern})*)(?: +([^\d,@±][^,@±]*))?")
 # The methods of tasks whose rows are measured.
 METHODS = ("closed form", "closed-form Routh–Keller path", "Jacobi rotations", "series, no iteration")
-# A row of the first two is a design or a drawing; of the last two not every row is a body's.
-LEFT_OUT = ("cam size", "gear profile", "spin free", "spin shaft")
+# A row of the first two is a design or a drawing; of the next two not every row is a body's; of the others each has
+# postures, segments or a table of its own, and is answered alone.
+LEFT_OUT = (
+    "cam size", "gear profile", "spin free", "spin shaft", "robot inverse", "robot path", "robot workspace",
+    "human segments", "human posture", "human gait", "human fall",
+)  # fmt: skip
 # What such parameters say is the same in all rows.
 FIXED = ("whole", "text", "flag", "unit", "file")
 # A number is moved by so much of itself, as no row may leave what its task admits.

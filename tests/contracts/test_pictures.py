@@ -25,7 +25,8 @@ WITHOUT = {
     "energy body", "energy speed", "energy drop", "energy roll", "energy power", "energy draw-in",
     "pendulum compound", "pendulum rod", "pendulum conical", "pendulum design",
     "spin shaft", "spin rod",
-    "vec matrix", "skid values", "motion equations",
+    "vec matrix", "skid values", "motion equations", "human segments", "human solid", "human limb",
+    "multibody topology", "multibody mass-matrix", "multibody equilibrium", "multibody modes",
 }  # fmt: skip
 TASKS = [task for name in cli.FAMILIES if name != "accuracy" for task in cli.family(name).tasks.values()]
 PICTURED = [task for task in TASKS if task.plot]

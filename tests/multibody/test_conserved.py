@@ -38,7 +38,8 @@ def free_tree(source: random.Random, count: int) -> Scene:
         bodies.append(
             Body(
                 f"b{k}", "ground" if k == 0 else f"b{source.randrange(k)}", Joint(joint),
-                axis=vector(source), second_axis=vector(source), position=vector(source),
+                axis=vector(source), second_axis=vector(source) if joint == "universal" else None,
+                position=vector(source),
                 mass=source.uniform(0.5, 3.0), centroid=vector(source, 0.3),
                 moments=tuple(source.uniform(0.5, 0.9) for _ in range(3)),
                 speed=vector(source)[:turns], velocity=vector(source)[:slides],

@@ -258,13 +258,13 @@ def test_partial_velocities_of_a_point(scene: Any) -> None:
 )
 def test_what_a_joint_has_no_use_for_is_refused(scene: Any, joint: str, field: str, value: str, remedy: str) -> None:
     body = {"name": "bar", "joint": joint, "mass": "2 kg", "rod": "1, 0, 0 m", field: value}
-    out = run("multibody", "efforts", scene([body]))
+    out = run("multibody", "efforts", scene(body))
     assert out.status == 3
     assert field in out.err
     assert remedy in out.err
 
 
 def test_a_mass_matrix_without_couplings_says_so(scene: Any) -> None:
-    text = run("multibody", "mass-matrix", scene([{"name": "bar", "mass": "2 kg", "rod": "1, 0, 0 m"}])).out
+    text = run("multibody", "mass-matrix", scene({"name": "bar", "mass": "2 kg", "rod": "1, 0, 0 m"})).out
     assert "none" in text
     assert "|" not in text

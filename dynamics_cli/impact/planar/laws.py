@@ -7,7 +7,7 @@ Stronge, Impact Mechanics (2000); Brach & Brach, Vehicle Accident Analysis and R
 
 from dynamics_cli.impact.planar.path import Mobility, determinant, sign, travel
 from dynamics_cli.numerics.elementary import absolute, multiply_add, where
-from dynamics_cli.numerics.number import single
+from dynamics_cli.numerics.number import decides
 from dynamics_cli.quantities import Annotated
 from dynamics_cli.records import Choice, record
 
@@ -119,7 +119,7 @@ def _pair(k: Mobility, tangential: float, normal: float) -> tuple[float, float]:
 def _on_the_path(m: Meeting, law: str) -> Outcome:
     path = travel(m.mobility, m.slip, m.approach, m.friction, m.restitution, law)
     history = ""
-    if single(path.normal):
+    if decides(path.normal):
         history = _history(m, bool(path.ended_first), bool(path.sticks))
     return Outcome(
         normal=path.normal,
@@ -173,7 +173,7 @@ def _brach(m: Meeting) -> Outcome:
     k, det = m.mobility, m.mobility.determinant
     free = 1.0 - m.moment_restitution
     tangential, normal = -m.slip, -(1.0 + m.restitution) * m.approach
-    with_moment = not single(free) or free != 0.0
+    with_moment = not decides(free) or bool(free != 0.0)
     if with_moment:
         drop = free / m.compliance
         bt, bn = m.arms
@@ -241,6 +241,6 @@ def _kudlich_slibar(m: Meeting) -> Outcome:
 
 
 def _ratio_words(holds: bool) -> str:
-    if not single(holds):
+    if not decides(holds):
         return ""
     return "common tangential velocity" if holds else "slip at the limit of friction"

@@ -34,10 +34,9 @@ class System:
 
     def __init__(self, scene: Scene, up: Upward = Upward("z"), gravity: float = 9.80665) -> None:  # noqa: B008
         require(scene.bodies, "the scene has no bodies", code="no-bodies", hint="give at least one under [[bodies]]")
-        bodies = scene.bodies
         self.scene = scene
-        self.order = ordered([body.name for body in bodies], [body.parent for body in bodies])
-        self.bodies = [bodies[k] for k in self.order]
+        self.order = ordered([body.name for body in scene.bodies], [body.parent for body in scene.bodies])
+        self.bodies = [scene.bodies[k] for k in self.order]
         self.advice: list[Advice] = []
         # the link of each body; the joints of some need links without mass before it
         self.link: dict[str, int] = {GROUND: -1}
@@ -56,8 +55,7 @@ class System:
             self._add(body, links)
         self.tree = Tree(links)
         self.at(self.coordinates, self.speeds)
-        pull = gravity if up != "none" else 0.0
-        self.gravity = pull
+        self.gravity = pull = gravity if up != "none" else 0.0
         # the weight of things, as an upward acceleration of the ground
         self.base: Vector = tuple(pull * x for x in UNITS["xyz".index(up)]) if up != "none" else ORIGIN  # type: ignore[assignment]
         self.between = [
@@ -108,10 +106,8 @@ class System:
         for name, turning, spring in zip(self.names, self.turning, self.springs, strict=True):
             far = 0.0 if spring.place is None else abs(plain(spring.beyond(self.coordinates[spring.place])))
             if far:
-                message = worded(
-                    "{name} is {far:4} beyond its stop", name=name, far=(far, Angle if turning else Length)
-                )
-                self.advice.append(Advice("stop", message))
+                way = far, Angle if turning else Length
+                self.advice.append(Advice("stop", worded("{name} is {far:4} beyond its stop", name=name, far=way)))
 
     def spring_efforts(self) -> "list[float]":
         """Efforts of springs and dampers in the joints."""
@@ -319,7 +315,7 @@ def _inertia(body: Body) -> "tuple[float, Vector, Tensor]":
     if body.moments is not None:
         p, q, r = body.moments
         tensor = (p, 0.0, 0.0), (0.0, q, 0.0), (0.0, 0.0, r)
-    if tensor is not None and any(plain(x) for row in tensor for x in row):
+    if any(plain(x) for row in tensor for x in row):
         _require_tensor(body.name, tensor)
     return mass, body.centroid or ORIGIN, tensor
 
@@ -327,8 +323,7 @@ def _inertia(body: Body) -> "tuple[float, Vector, Tensor]":
 def _require_tensor(name: str, tensor: "Tensor") -> None:
     """Refuse a tensor that no body can have."""
     doubles = tuple(tuple(plain(x) for x in row) for row in tensor)
-    values = eigen(doubles).values  # type: ignore[arg-type]
-    least, middle, most = sorted(map(float, values))
+    least, middle, most = sorted(map(float, eigen(doubles).values))  # type: ignore[arg-type]
     require(
         least >= -TYPED * most and least + middle - most >= -TYPED * most,
         "no body has the tensor of {body}: its principal moments are {least:6}, {middle:6} and {most:6}",

@@ -1,7 +1,7 @@
 """A rotation in every notation, from any of them."""
 
 from dynamics_cli.errors import worded
-from dynamics_cli.numerics.number import is_many, over_plain, plain, single
+from dynamics_cli.numerics.number import decides, is_many, over_plain, plain, single
 from dynamics_cli.numerics.orientation.quaternions import axis_angle_and_vector, normalized
 from dynamics_cli.numerics.orientation.rotations import ORDERS, ByMatrix, Euler, determinant, product, transposed
 from dynamics_cli.numerics.orientation.rotations import from_quaternion as matrix_of
@@ -142,7 +142,7 @@ def convert(
         lock_distance=angles.distance,
         rodrigues=parameters,
         euler_order=order.text,
-        lock=_state(rotation, angles) if alone else "",
+        lock=_state(rotation, angles) if decides(*q) and not is_many(q[0]) else "",
         names=names_of(order),
         angle_names=angles_in_words(order),
         convention="right-handed; the matrix takes body components to fixed ones; the quaternion is scalar first",
