@@ -126,6 +126,7 @@ WRONG = [
     (f"{SKID}|--distance|@x|--friction|0.7", 2, "wanted a file and an address"),
     (f"{SKID}|--distance|1e308 km|--friction|0.7", 2, "beyond the range of a double"),
     (f"{SKID}|--distance|1e307 m|--friction|1e300", 3, "leaves the range of a double"),
+    ("linkage|slider-crank|--crank|50 mm|--rod|1e300 mm|--crank-angle|60 deg", 3, "leaves the range of a double"),
     ("skid|sped", 2, "did you mean dynamics skid speed?"),
     ("skdi", 2, "did you mean dynamics skid?"),
     ("units|show|frobnitz", 2, "unknown unit 'frobnitz'"),

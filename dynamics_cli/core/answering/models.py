@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 
 # With more inputs than this only bounds are calculated, no condition numbers.
 MOST_SLOPES = 400
+# Larger numbers, in SI units, belong to no machine; their squares soon leave the range of a double.
+IMMENSE = 1e100
 
 
 class Answer:
@@ -72,7 +74,10 @@ def call_model(task: Task, model: Model, bound: Fields, values: "Mapping[str, An
         error.message = in_written_units(error.message, bound)
         error.hint = in_written_units(error.hint, bound) if error.hint else None
         raise
-    except ArithmeticError as error:
+    except (ArithmeticError, ValueError) as error:
+        # where an input is beyond all measure, `sqrt` and solvers of equations meet an infinity
+        if isinstance(error, ValueError) and all(abs(si) < IMMENSE for _, _, si in bound.leaves()):
+            raise
         raise InadmissibleError(
             f"the calculation leaves the range of a double ({error})", code="range", hint="check the size of the inputs"
         ) from None
