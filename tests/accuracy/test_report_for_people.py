@@ -309,7 +309,7 @@ class TestPeers:
         (("gear", "pear"), "did you mean pair?"),
         (
             ("nosuch",),
-            "there are for balance, cam, convert, coords, energy, force, gear, impact",
+            "there are for balance, cam, convert, coords, energy, force, gear, human, impact",
         ),
     ],
 )

@@ -104,7 +104,7 @@ def test_a_vector_of_an_earlier_document_keeps_distribution_and_correlation(tmp_
     # u = (1 − e)/2·u₀ and (1 + e)/2·u₀ + …: an elastic impact exchanges them
     spread = before.document["results"]
     assert after["results"]["first"]["velocity"]["std"][0] == pytest.approx(
-        spread["second"]["velocity"]["std"][0] / 3.6, rel=1e-3
+        spread["second"]["velocity"]["std"][0], rel=1e-3
     )
 
 

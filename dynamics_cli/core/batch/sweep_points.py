@@ -139,7 +139,10 @@ def _takes_words(node: "Leaf | Tagged") -> bool:
 
 
 def _is_vector(node: "Leaf | Tagged") -> bool:
-    return isinstance(node, Leaf) and node.kind.form in ("vector", "planar") and node.kind.size > 1
+    """Whether one number is not enough: what is placed exactly may be given by its x alone."""
+    if not isinstance(node, Leaf) or node.kind.form not in ("vector", "planar"):
+        return False
+    return node.kind.size > 1 and not (node.kind.flat and node.kind.exact)
 
 
 def _listed(items: "list[str]") -> "tuple[str, list[float | str]]":

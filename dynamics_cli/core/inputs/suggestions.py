@@ -128,8 +128,6 @@ SYNONYMS = {
     "spring-constant": "stiffness spring-rate",
     "from": "first start",
     "to": "second",
-    "from-at": "first-at",
-    "to-at": "second-at",
     "k": "stiffness spring-rate",
     "c": "damping rocker",
     "zeta": "damping-ratio",
