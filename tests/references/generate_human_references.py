@@ -217,10 +217,10 @@ def moments() -> Iterator[Case]:
             results["pressure_centre"] = sum(m * c.real for m, c in masses) / whole
             if not -0.06 <= results["pressure_centre"] <= 0.2:
                 continue  # it topples
-            # the back's muscle, with a lever of 5 cm
+            # the muscle of the back, or of the belly where it leans back, with a lever of 5 cm
             above = [(m, c) for name, (m, c, _) in chain.masses(chain.joints).items() if name in BEYOND["hip"]]
             weight = GRAVITY * (sum(m for m, _ in above) + exact(load))
-            results["muscle_force"] = results["joints[4].moment"] / exact("0.05")
+            results["muscle_force"] = abs(results["joints[4].moment"]) / exact("0.05")
             results["compression"] = results["muscle_force"] + weight * sin(chain.angles["trunk"])
             results["shear"] = weight * cos(chain.angles["trunk"])
             pose = {"record": "Inclinations", **{f"{name}_inclination": text for name, text in angles.items()}}
