@@ -87,10 +87,7 @@ def read_axes(task: Task, texts: "dict[str, str]") -> "list[Axis]":
 
 def _axis(task: Task, name: str, text: str) -> Axis:
     path = _path(task, name)
-    address = ""
-    for step in path:
-        address += f"[{step}]" if isinstance(step, int) else f".{step}"
-    address = address.lstrip(".")
+    address = "".join(f"[{step}]" if isinstance(step, int) else f".{step}" for step in path).lstrip(".")
     parts = [part.strip() for part in text.split(":")]
     try:
         nodes = list(_nodes_at(task.specification.fields, path))
@@ -140,9 +137,8 @@ def _takes_words(node: "Leaf | Tagged") -> bool:
 
 def _is_vector(node: "Leaf | Tagged") -> bool:
     """Whether one number is not enough: what is placed exactly may be given by its x alone."""
-    if not isinstance(node, Leaf) or node.kind.form not in ("vector", "planar"):
-        return False
-    return node.kind.size > 1 and not (node.kind.flat and node.kind.exact)
+    kind = node.kind if isinstance(node, Leaf) else None
+    return kind is not None and kind.form in ("vector", "planar") and kind.size > 1 and not (kind.flat and kind.exact)
 
 
 def _listed(items: "list[str]") -> "tuple[str, list[float | str]]":
