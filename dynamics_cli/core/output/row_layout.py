@@ -122,8 +122,8 @@ class Part:
         return self.cells(value)
 
     def add_to(self, entry: "dict[str, Any]", value: "Any") -> None:
-        """Add it to the entry of the result that it stands beside."""
-        raise NotImplementedError
+        """Add it to the entry of the result that it stands beside, under the last name of its address."""
+        entry[self.address.rpartition(".")[2]] = value
 
     def entry(self, value: "Any") -> "Any":
         """Its entry in JSON."""

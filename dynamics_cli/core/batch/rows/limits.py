@@ -57,10 +57,6 @@ class LimitPart(Part):
         """The verdict, as it is shown."""
         return self.of(record)
 
-    def add_to(self, entry: "dict[str, Any]", value: "Any") -> None:
-        """Add it to the result's entry."""
-        entry[self.address.rpartition(".")[2]] = value
-
     def exceeded(self, value: "Any", above: float) -> bool:
         """Whether a row's verdict is that the limit is exceeded, by a probability above this one."""
         return bool(value is not None and value > above) if self.probable else bool(value)
